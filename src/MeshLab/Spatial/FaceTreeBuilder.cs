@@ -137,7 +137,7 @@ internal sealed class FaceTreeBuilder
     }
 
     // Returns the child entry: a node's index or the complement of a leaf's.
-    private int BuildSubtree(Subtree tree, in Part part)
+    private int BuildSubtree(Subtree tree, Part part)
     {
         if (part.Count <= LeafSize)
             return AddLeaf(tree, part);
@@ -154,7 +154,7 @@ internal sealed class FaceTreeBuilder
     }
 
     // Cuts the part into at most parts.Length, always the one with the largest box next. Returns how many there are.
-    private int CutInto(Span<Part> parts, in Part whole)
+    private int CutInto(Span<Part> parts, Part whole)
     {
         parts[0] = whole;
         int count = 1;
@@ -176,7 +176,7 @@ internal sealed class FaceTreeBuilder
         return count;
     }
 
-    private void Cut(in Part part, out Part left, out Part right)
+    private void Cut(Part part, out Part left, out Part right)
     {
         Box c = part.Centroids;
         float x = -c[4] - c[0], y = -c[5] - c[1], z = -c[6] - c[2];
@@ -226,7 +226,7 @@ internal sealed class FaceTreeBuilder
         return node;
     }
 
-    private static int AddLeaf(Subtree tree, in Part part)
+    private static int AddLeaf(Subtree tree, Part part)
     {
         tree.Leaves.Add((part.Start, part.Count));
         return ~(tree.Leaves.Count - 1);
