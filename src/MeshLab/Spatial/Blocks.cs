@@ -31,5 +31,5 @@ internal static class Blocks
     /// <summary>Calls the actions, possibly at once.</summary>
     public static void Run(Action[] actions, int maxThreads) => RunEach(actions.Length, maxThreads, i => actions[i]());
 
-    private static ParallelOptions Options(int maxThreads) => new() { MaxDegreeOfParallelism = maxThreads == 0 ? -1 : maxThreads };
+    private static ParallelOptions Options(int maxThreads) => new() { MaxDegreeOfParallelism = maxThreads == 0 ? Numerics.Parallelism.Threads : maxThreads };
 }
