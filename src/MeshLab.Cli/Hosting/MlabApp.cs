@@ -1,0 +1,118 @@
+using System.CommandLine;
+using System.CommandLine.Help;
+using System.CommandLine.Invocation;
+using System.Text;
+using System.Text.Json;
+using MeshLab.Numerics;
+
+namespace MeshLab.Cli.Hosting;
+
+/// <summary>The program: finds the verb, runs it, prints the result or the error, returns the exit status.</summary>
+internal static class MlabApp
+{
+    public static IReadOnlyList<Verb> Verbs { get; } =
+    [
+        .. typeof(MlabApp).Assembly.GetTypes()
+            .Where(type => type.IsSubclassOf(typeof(Verb)) && !type.IsAbstract)
+            .Select(type => (Verb)Activator.CreateInstance(type)!)
+            .OrderBy(verb => verb.Name, StringComparer.Ordinal),
+    ];
+
+    public static int Run(string[] args, TextWriter output, TextWriter error, CancellationToken cancellationToken = default)
+    {
+        int status = 0;
+        RootCommand root = BuildRoot((verb, parsed) => status = RunVerb(verb, parsed, output, error, cancellationToken));
+        ParseResult parsed = root.Parse(args);
+        if (parsed.Action is ParseErrorAction)
+            return Report(CliErrorOf(parsed, args), args.Contains("--json"), null, false, output, error);
+        var configuration = new InvocationConfiguration { Output = output, Error = error, EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };
+        int invoked = parsed.Invoke(configuration);
+        return status != 0 ? status : invoked;
+    }
+
+    public static RootCommand BuildRoot(Action<Verb, ParseResult> run)
+    {
+        var root = new RootCommand("mlab: mesh processing on the half-edge structure. Every verb has --help with an example, and --json for programs.");
+        CommonOptions.AddTo(root);
+        foreach (HelpOption help in root.Options.OfType<HelpOption>())
+            help.Action = new HelpWithExample((HelpAction)help.Action!);
+        foreach (Verb verb in Verbs)
+        {
+            var command = new Command(verb.Name, verb.Summary);
+            verb.Configure(command);
+            command.SetAction(parsed => run(verb, parsed));
+            root.Subcommands.Add(command);
+        }
+        return root;
+    }
+
+    private static int RunVerb(Verb verb, ParseResult parsed, TextWriter output, TextWriter error, CancellationToken cancellationToken)
+    {
+        var context = new VerbContext(parsed, output, error, cancellationToken);
+        try
+        {
+            int threads = context.Get(CommonOptions.Threads);
+            if (threads < 0)
+                throw new UsageException("--threads is 0 or more");
+            Parallelism.MaxThreads = threads;
+            verb.Run(context);
+        }
+#pragma warning disable CA1031 // Every failure becomes one line or one JSON object with an exit status of its own.
+        catch (Exception failure)
+#pragma warning restore CA1031
+        {
+            return Report(CliError.Of(failure, context.IsReading, context.CurrentFile), context.Json, failure, context.Get(CommonOptions.Debug), output, error);
+        }
+        finally
+        {
+            Parallelism.MaxThreads = 0;
+        }
+        if (context.Json && !context.OutputTaken)
+            PrintJson(ResultOf(verb, context), output);
+        else
+            ConsolePresenter.Print(verb, context, context.OutputTaken ? error : output);
+        return context.ExitStatus;
+    }
+
+    private static ResultFields ResultOf(Verb verb, VerbContext context)
+    {
+        var all = new ResultFields().Add("command", verb.Name);
+        if (context.Input is not null)
+            all.Add("input", context.Input);
+        if (context.Output is not null)
+            all.Add("output", context.Output);
+        foreach ((string name, object? value) in context.Result)
+            all.Add(name, value);
+        if (context.Repairs.Count > 0)
+            all.Add("repairs", context.Repairs);
+        return all.Add("seconds", context.Seconds);
+    }
+
+    private static CliError CliErrorOf(ParseResult parsed, string[] args)
+    {
+        if (parsed.CommandResult.Command is RootCommand)
+        {
+            string? word = Array.Find(args, arg => !arg.StartsWith('-'));
+            return new CliError(2, "usage", word is null ? "no verb given; mlab --help lists them" : $"there is no verb '{word}'; mlab --help lists them");
+        }
+        return new CliError(2, "usage", parsed.Errors[0].Message);
+    }
+
+    private static int Report(CliError problem, bool json, Exception? cause, bool debug, TextWriter output, TextWriter error)
+    {
+        error.WriteLine(problem.Message.ReplaceLineEndings(" "));
+        if (debug && cause is not null)
+            error.WriteLine(cause);
+        if (json)
+            PrintJson(new ResultFields().Add("error", problem.ToFields()), output);
+        return problem.ExitStatus;
+    }
+
+    private static void PrintJson(ResultFields fields, TextWriter output)
+    {
+        using var buffer = new MemoryStream();
+        using (var json = new Utf8JsonWriter(buffer, new JsonWriterOptions { Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
+            fields.WriteTo(json);
+        output.WriteLine(Encoding.UTF8.GetString(buffer.GetBuffer(), 0, (int)buffer.Length));
+    }
+}

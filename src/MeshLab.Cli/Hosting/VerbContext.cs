@@ -1,0 +1,121 @@
+using System.CommandLine;
+using System.Diagnostics;
+using MeshLab.Structure;
+using Spectre.Console;
+using Spectre.Console.Rendering;
+
+namespace MeshLab.Cli.Hosting;
+
+/// <summary>What a verb works with: its options, the meshes it reads and writes, and the result that it fills.</summary>
+internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWriter error, CancellationToken cancellationToken)
+{
+    private readonly Stopwatch stopwatch = new();
+    private readonly List<IRenderable> tables = [];
+
+    /// <summary>The result's own fields, in the order of the contract.</summary>
+    public ResultFields Result { get; } = new();
+
+    /// <summary>Counts of the input, once it is read.</summary>
+    public ResultFields? Input { get; private set; }
+
+    /// <summary>Counts of the output, once it is written.</summary>
+    public ResultFields? Output { get; private set; }
+
+    /// <summary>What reading skipped or split.</summary>
+    public List<ResultFields> Repairs { get; } = [];
+
+    /// <summary>0 unless the verb says otherwise: 1 for "no".</summary>
+    public int ExitStatus { get; set; }
+
+    public bool Json => Get(CommonOptions.Json);
+
+    public int Seed => Get(CommonOptions.Seed);
+
+    public NonManifoldPolicy NonManifold => Enum.Parse<NonManifoldPolicy>(Get(CommonOptions.NonManifold), ignoreCase: true);
+
+    public string? InputFormat => Get(CommonOptions.InputFormat);
+
+    public string? OutputFormat => Get(CommonOptions.OutputFormat);
+
+    public CancellationToken CancellationToken => cancellationToken;
+
+    /// <summary>Standard output, for verbs that print a mesh or a script there.</summary>
+    public TextWriter StandardOutput => output;
+
+    /// <summary>True once standard output holds the result itself (a mesh, a script), so that nothing else may be printed there.</summary>
+    public bool OutputTaken { get; set; }
+
+    /// <summary>The file being read at the moment, for error messages.</summary>
+    public string? CurrentFile { get; private set; }
+
+    public bool IsReading { get; private set; }
+
+    public double Seconds => stopwatch.Elapsed.TotalSeconds;
+
+    public IReadOnlyList<IRenderable> Tables => tables;
+
+    public T Get<T>(Option<T> option) => parsed.GetValue(option)!;
+
+    public T Get<T>(Argument<T> argument) => parsed.GetValue(argument)!;
+
+    /// <summary>Whether the user gave the option.</summary>
+    public bool Has(Option option) => parsed.GetResult(option) is { Implicit: false };
+
+    /// <summary>Reads a mesh; the first one read is the "input" of the result.</summary>
+    public Mesh ReadMesh(string path)
+    {
+        (CurrentFile, IsReading) = (path, true);
+        Mesh mesh = MeshFiles.Read(path, this);
+        (CurrentFile, IsReading) = (null, false);
+        Input ??= MeshFiles.Counts(mesh);
+        return mesh;
+    }
+
+    /// <summary>Writes a mesh; the last one written is the "output" of the result.</summary>
+    public void WriteMesh(Mesh mesh, string path)
+    {
+        CurrentFile = path;
+        MeshFiles.Write(mesh, path, this);
+        CurrentFile = null;
+        Output = MeshFiles.Counts(mesh);
+    }
+
+    /// <summary>Names the input of a verb that reads no mesh.</summary>
+    public void SetInput(ResultFields counts) => Input = counts;
+
+    /// <summary>Runs the algorithm on the clock; reading and writing stay outside.</summary>
+    public T Time<T>(Func<T> work)
+    {
+        stopwatch.Start();
+        try
+        {
+            return work();
+        }
+        finally
+        {
+            stopwatch.Stop();
+        }
+    }
+
+    /// <inheritdoc cref="Time{T}(Func{T})"/>
+    public void Time(Action work) => Time(() =>
+    {
+        work();
+        return 0;
+    });
+
+    /// <summary>A progress bar on standard error, if that is a terminal and the result is for people.</summary>
+    public IProgress<double>? Progress(string label) =>
+        Json || Console.IsErrorRedirected || !ReferenceEquals(error, Console.Error) ? null : new ProgressLine(label, error);
+
+    /// <summary>Adds a table for people; with <c>--json</c> it is not shown.</summary>
+    public void Table(string title, IReadOnlyList<string> columns, IEnumerable<IReadOnlyList<string>> rows)
+    {
+        var table = new Table { Title = new TableTitle(Markup.Escape(title)) }.RoundedBorder();
+        foreach (string column in columns)
+            table.AddColumn(new TableColumn(Markup.Escape(column)));
+        foreach (IReadOnlyList<string> row in rows)
+            table.AddRow([.. row.Select(cell => new Text(cell))]);
+        tables.Add(table);
+    }
+}
