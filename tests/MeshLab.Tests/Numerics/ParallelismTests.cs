@@ -58,5 +58,12 @@ public class ParallelismTests
     }
 
     [Fact]
-    public void MaxThreads_Zero_IsRefused() => Assert.Throws<ArgumentOutOfRangeException>(() => Parallelism.MaxThreads = 0);
+    public void MaxThreads_Negative_IsRefused() => Assert.Throws<ArgumentOutOfRangeException>(() => Parallelism.MaxThreads = -1);
+
+    [Fact]
+    public void MaxThreads_Zero_IsTheNumberOfProcessors()
+    {
+        Parallelism.MaxThreads = 0;
+        Assert.Equal(Environment.ProcessorCount, Parallelism.MaxThreads);
+    }
 }
