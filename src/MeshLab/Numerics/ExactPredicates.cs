@@ -5,8 +5,8 @@ namespace MeshLab.Numerics;
 
 /// <summary>Orientation tests (定向判断) whose sign is that of exact arithmetic on the doubles given, for every finite input.</summary>
 /// <remarks>
-/// Three stages: equal arguments give 0 at once (the usual case on technical models); a double evaluation with Shewchuk's error bound
-/// settles nearly everything else; floating-point expansions settle the rest. Coordinates so large or small that products would over- or
+/// Three stages: a double evaluation with Shewchuk's error bound settles nearly everything; equal arguments and planes along the axes (the
+/// usual cases on technical models) give 0 at once; floating-point expansions settle the rest. Coordinates so large or small that products would over- or
 /// underflow go to integers of any size. Shewchuk 1997, §4; the bounds are his, widened against underflow. Constant cost.
 /// </remarks>
 public static class ExactPredicates
@@ -92,7 +92,8 @@ public static class ExactPredicates
     [MethodImpl(MethodImplOptions.NoInlining), SkipLocalsInit]
     private static int Orient3DExact(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
     {
-        if (a == b || a == c || a == d || b == c || b == d || c == d)
+        if (a == b || a == c || a == d || b == c || b == d || c == d
+            || (a.X == d.X && b.X == d.X && c.X == d.X) || (a.Y == d.Y && b.Y == d.Y && c.Y == d.Y) || (a.Z == d.Z && b.Z == d.Z && c.Z == d.Z))
             return 0;
         ReadOnlySpan<double> coordinates = [a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z, d.X, d.Y, d.Z];
         if (!FitsExpansions(coordinates))

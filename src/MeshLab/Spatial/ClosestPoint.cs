@@ -28,6 +28,8 @@ public readonly record struct ClosestPoint(int Face, int Triangle, Vector3D Poin
 
 public sealed partial class FaceTree
 {
+    private const int QueriesPerBlock = 64;
+
     private struct Waiting
     {
         public int Child;
@@ -50,22 +52,19 @@ public sealed partial class FaceTree
     /// <summary>The closest points of many queries, in parallel.</summary>
     /// <param name="queries">The points to start from.</param>
     /// <param name="results">Where the answers go, in the order of the queries.</param>
-    /// <param name="maxThreads">The largest number of threads to use, 0 for all processors.</param>
     /// <exception cref="ArgumentException">There are fewer places than queries.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A query is not finite.</exception>
-    public void FindClosest(ReadOnlyMemory<Vector3D> queries, Memory<ClosestPoint> results, int maxThreads = 0)
+    public void FindClosest(ReadOnlyMemory<Vector3D> queries, Memory<ClosestPoint> results)
     {
         if (results.Length < queries.Length)
             throw new ArgumentException($"There is room for {results.Length} results of {queries.Length} queries.", nameof(results));
         foreach (Vector3D query in queries.Span)
             ThrowIfNotFinite(query);
-        const int Size = 64;
-        Blocks.RunEach((queries.Length + Size - 1) / Size, maxThreads, block =>
+        Parallelism.ForBlocks(queries.Length, QueriesPerBlock, (start, end) =>
         {
-            int start = block * Size, count = Math.Min(Size, queries.Length - start);
-            ReadOnlySpan<Vector3D> from = queries.Span.Slice(start, count);
-            Span<ClosestPoint> to = results.Span.Slice(start, count);
-            for (int i = 0; i < count; i++)
+            ReadOnlySpan<Vector3D> from = queries.Span;
+            Span<ClosestPoint> to = results.Span;
+            for (int i = start; i < end; i++)
                 to[i] = FindClosest(from[i]);
         });
     }

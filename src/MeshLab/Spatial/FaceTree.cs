@@ -1,4 +1,5 @@
 using MeshLab.Numerics;
+using MeshLab.Structure;
 
 namespace MeshLab.Spatial;
 
@@ -67,11 +68,9 @@ public sealed partial class FaceTree
     /// <summary>The tree over triangles given as arrays.</summary>
     /// <param name="positions">The vertices.</param>
     /// <param name="corners">Three vertex indices per triangle; degenerate triangles are allowed.</param>
-    /// <param name="maxThreads">The largest number of threads to use, 0 for all processors. The tree does not depend on it.</param>
     /// <exception cref="ArgumentException">The corners are not a multiple of three, name a vertex that is not there, or one with a coordinate that is not finite.</exception>
-    public static FaceTree Build(ReadOnlySpan<Vector3D> positions, ReadOnlySpan<int> corners, int maxThreads = 0)
+    public static FaceTree Build(ReadOnlySpan<Vector3D> positions, ReadOnlySpan<int> corners)
     {
-        ArgumentOutOfRangeException.ThrowIfNegative(maxThreads);
         if (corners.Length % 3 != 0)
             throw new ArgumentException($"There are {corners.Length} corners; triangles need a multiple of three.", nameof(corners));
         foreach (int v in corners)
@@ -79,12 +78,22 @@ public sealed partial class FaceTree
             if ((uint)v >= (uint)positions.Length)
                 throw new ArgumentException($"A triangle names vertex {v}; there are {positions.Length} vertices.", nameof(corners));
         }
-        return Build(positions.ToArray(), corners.ToArray(), null, maxThreads);
+        return Build(positions.ToArray(), corners.ToArray(), null);
     }
 
-    // The arrays are the tree's own from here on.
-    internal static FaceTree Build(Vector3D[] positions, int[] corners, int[]? faceOf, int maxThreads) =>
-        new(FaceTreeBuilder.Build(positions, corners, maxThreads), corners, faceOf);
+    /// <summary>The tree over the faces of a mesh; polygons are cut into fans.</summary>
+    /// <param name="mesh">The mesh; it is copied.</param>
+    /// <exception cref="ArgumentException">A vertex of a face has a coordinate that is not finite.</exception>
+    public static FaceTree Build(Mesh mesh)
+    {
+        ArgumentNullException.ThrowIfNull(mesh);
+        (int[] corners, int[]? faceOf) = FaceFans.Cut(mesh);
+        return Build(mesh.positions, corners, faceOf);
+    }
+
+    // The corners are the tree's own from here on.
+    internal static FaceTree Build(Vector3D[] positions, int[] corners, int[]? faceOf) =>
+        new(FaceTreeBuilder.Build(positions, corners), corners, faceOf);
 
     /// <summary>The face a triangle of the tree belongs to.</summary>
     internal int FaceOfTriangle(int triangle) => _faceOf is null ? triangle : _faceOf[triangle];

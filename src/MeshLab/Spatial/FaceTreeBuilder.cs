@@ -61,7 +61,7 @@ internal sealed class FaceTreeBuilder
 
     private FaceTreeBuilder(Box[] records) => _records = records;
 
-    public static FaceTreeBuilder Build(Vector3D[] positions, int[] corners, int maxThreads)
+    public static FaceTreeBuilder Build(Vector3D[] positions, int[] corners)
     {
         int count = corners.Length / 3;
         BoundingBox bounds = BoxOf(positions, corners);
@@ -70,10 +70,10 @@ internal sealed class FaceTreeBuilder
         if (count == 0)
             return builder;
 
-        Blocks.Run(count, maxThreads, (start, end) => WriteRecords(builder._records, positions, corners, frame, start, end));
-        builder.BuildNodes(maxThreads);
+        Parallelism.ForBlocks(count, (start, end) => WriteRecords(builder._records, positions, corners, frame, start, end));
+        builder.BuildNodes();
         builder.Leaves = GC.AllocateUninitializedArray<double>(builder.Triangles.Length / LeafSize * FaceTree.LeafDoubles);
-        Blocks.Run(builder.Triangles.Length / LeafSize, maxThreads, (start, end) => builder.WriteLeaves(positions, corners, start, end));
+        Parallelism.ForBlocks(builder.Triangles.Length / LeafSize, (start, end) => builder.WriteLeaves(positions, corners, start, end));
         return builder;
     }
 
@@ -104,7 +104,7 @@ internal sealed class FaceTreeBuilder
         }
     }
 
-    private void BuildNodes(int maxThreads)
+    private void BuildNodes()
     {
         var root = new Part { End = _records.Length };
         Measure(ref root);
@@ -121,13 +121,13 @@ internal sealed class FaceTreeBuilder
         Cut(root, out Part left, out Part right);
         var children = new Part[Width];
         int leftCount = 0, rightCount = 0;
-        Blocks.Run([() => leftCount = CutInto(children.AsSpan(0, 4), left), () => rightCount = CutInto(children.AsSpan(4, 4), right)], maxThreads);
+        Parallelism.Invoke(() => leftCount = CutInto(children.AsSpan(0, 4), left), () => rightCount = CutInto(children.AsSpan(4, 4), right));
         if (leftCount < 4)
             children.AsSpan(4, rightCount).CopyTo(children.AsSpan(leftCount));
         children = children[..(leftCount + rightCount)];
 
         var subtrees = new Subtree[children.Length];
-        Blocks.RunEach(children.Length, maxThreads, i =>
+        Parallelism.ForBlocks(children.Length, 1, (i, _) =>
         {
             subtrees[i] = new Subtree();
             subtrees[i].Root = BuildSubtree(subtrees[i], children[i]);
