@@ -1,4 +1,6 @@
+using System.Globalization;
 using MeshLab.Numerics;
+using MeshLab.Structure;
 
 namespace MeshLab.Visualization;
 
@@ -129,6 +131,22 @@ public sealed record Coloring
     {
         ArgumentNullException.ThrowIfNull(colors);
         return new(ColoringKind.FaceColors) { Colors = colors };
+    }
+
+    /// <summary>
+    /// The valence (度数) of each vertex: near white where it is regular (6 in a triangle mesh, else 4), bluer below, redder above.
+    /// </summary>
+    public static Coloring ByValence(Mesh mesh)
+    {
+        ArgumentNullException.ThrowIfNull(mesh);
+        int regular = mesh.IsTriangleMesh ? 6 : 4;
+        var valences = new int[mesh.VertexSlots];
+        Array.Fill(valences, -1);
+        foreach (Vertex v in mesh.Vertices)
+            valences[v.Index] = v.Valence;
+        LegendEntry[] entries = [.. valences.Where(k => k >= 0).Distinct().Order()
+            .Select(k => new LegendEntry(k.ToString(CultureInfo.InvariantCulture), Palette.Valence(k, regular)))];
+        return VertexLabels(valences, "valence", entries, k => Palette.Valence(k, regular));
     }
 
     /// <summary>The same with another range of numbers; values outside take the end's colour.</summary>

@@ -1,5 +1,6 @@
 using System.Numerics;
 using MeshLab.Numerics;
+using MeshLab.Structure;
 
 namespace MeshLab.Visualization;
 
@@ -13,6 +14,16 @@ public static class MeshRenderer
     private const int BandPixels = 16;
 
     private static readonly Color Ink = new(0.16f, 0.18f, 0.22f);
+
+    /// <summary>Draws the mesh; polygons are cut into triangles for drawing only.</summary>
+    /// <param name="mesh">Any mesh, also empty or with deleted elements.</param>
+    /// <param name="options">What to draw; a calm default figure if left out.</param>
+    /// <exception cref="ArgumentException">An array of the coloring does not fit the mesh, a marked edge does not exist, or a position is not finite.</exception>
+    public static Image Render(Mesh mesh, RenderOptions? options = null)
+    {
+        ArgumentNullException.ThrowIfNull(mesh);
+        return Render(RenderGeometry.FromMesh(mesh), options ?? new());
+    }
 
     /// <summary>Draws geometry that is already cut into triangles.</summary>
     internal static Image Render(RenderGeometry geometry, RenderOptions options)

@@ -1,4 +1,5 @@
 using MeshLab.Numerics;
+using MeshLab.Structure;
 
 namespace MeshLab.Visualization;
 
@@ -93,6 +94,47 @@ internal sealed class RenderGeometry
             Edges = [.. edges],
             FaceSlots = faces,
             LiveVertices = [.. Enumerable.Range(0, positions.Length)],
+        };
+    }
+
+    /// <summary>From a mesh; deleted elements are left out, slots keep their numbers.</summary>
+    public static RenderGeometry FromMesh(Mesh mesh)
+    {
+        ReadOnlySpan<int> next = mesh.Next, target = mesh.Target, halfEdgeOf = mesh.HalfEdgeOf;
+        Vector3D[] positions = mesh.Positions.ToArray();
+        var triangles = new List<int>(mesh.Faces.Count * 3);
+        var faceOf = new List<int>(mesh.Faces.Count);
+        var corners = new List<int>();
+        for (int f = 0; f < halfEdgeOf.Length; f++)
+        {
+            int first = halfEdgeOf[f];
+            if (first < 0)
+                continue;
+            corners.Clear();
+            int h = first;
+            do
+            {
+                corners.Add(target[h]);
+                h = next[h];
+            }
+            while (h != first);
+            AddFace(positions, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(corners), f, triangles, faceOf);
+        }
+        var edges = new int[mesh.HalfEdgeSlots];
+        for (int e = 0; e < mesh.EdgeSlots; e++)
+        {
+            bool live = next[2 * e] >= 0;
+            edges[2 * e] = live ? target[2 * e + 1] : -1;
+            edges[2 * e + 1] = live ? target[2 * e] : -1;
+        }
+        return new()
+        {
+            Positions = positions,
+            Triangles = [.. triangles],
+            FaceOfTriangle = [.. faceOf],
+            Edges = edges,
+            FaceSlots = mesh.FaceSlots,
+            LiveVertices = [.. Enumerable.Range(0, mesh.VertexSlots).Where(v => !mesh.IsDeletedVertex(v))],
         };
     }
 
