@@ -1,6 +1,8 @@
 using System.Collections.Concurrent;
 using System.IO.Compression;
 using System.Text.Json;
+using MeshLab.IO;
+using MeshLab.Structure;
 using Xunit;
 
 namespace MeshLab.Tests;
@@ -13,6 +15,7 @@ namespace MeshLab.Tests;
 internal static class ReferenceData
 {
     private static readonly Lazy<string?> FoundRoot = new(FindRoot);
+    private static readonly ConcurrentDictionary<string, Lazy<Mesh>> Meshes = new(StringComparer.Ordinal);
     private static readonly ConcurrentDictionary<string, JsonDocument> Documents = new(StringComparer.Ordinal);
 
     /// <summary>The public models: closed and open, genus 0 to 34, several components, CAD and scans.</summary>
@@ -67,6 +70,13 @@ internal static class ReferenceData
         }
 
         throw new SkipException($"No reference model {name}.");
+    }
+
+    /// <summary>The model as a mesh of the test's own; the file is read once.</summary>
+    public static Mesh Load(string name)
+    {
+        string path = ModelPath(name);
+        return Meshes.GetOrAdd(name, _ => new Lazy<Mesh>(() => MeshFile.Read(path))).Value.Clone();
     }
 
     /// <summary>The values of one kind for a model, such as <c>Json("spot", "core")</c>. Shared: do not dispose it.</summary>

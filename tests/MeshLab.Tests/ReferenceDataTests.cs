@@ -14,6 +14,18 @@ public class ReferenceDataTests
     }
 
     [SkippableTheory]
+    [MemberData(nameof(ReferenceData.PublicModelCases), MemberType = typeof(ReferenceData))]
+    public void Load_OfEveryPublicModel_HasTheReferenceCountsAndIsValid(string name)
+    {
+        System.Text.Json.JsonElement topology = ReferenceData.Json(name, "core").RootElement.GetProperty("topology");
+        MeshLab.Structure.Mesh mesh = ReferenceData.Load(name);
+        Assert.Equal(topology.GetProperty("V").GetInt32(), mesh.Vertices.Count);
+        Assert.Equal(topology.GetProperty("E").GetInt32(), mesh.Edges.Count);
+        Assert.Equal(topology.GetProperty("F").GetInt32(), mesh.Faces.Count);
+        Assert.Empty(mesh.Validate());
+    }
+
+    [SkippableTheory]
     [MemberData(nameof(ReferenceData.ModelsWithArraysCases), MemberType = typeof(ReferenceData))]
     public void Arrays_OfEverySmallModel_HaveOneAreaPerFace(string name)
     {

@@ -1,3 +1,5 @@
+using MeshLab.Structure;
+
 namespace MeshLab.IO;
 
 /// <summary>What a reader found in a file beside the mesh, and what it left out: nothing is dropped without being counted here.</summary>
@@ -19,7 +21,7 @@ public sealed record MeshReadReport
     public IReadOnlyList<string> MaterialLibraries { get; init; } = [];
 
     /// <summary>Lines, properties and elements that the library does not read: their keyword, and how often each occurred.</summary>
-    public IReadOnlyDictionary<string, int> Ignored { get; init; } = new Dictionary<string, int>();
+    public IReadOnlyDictionary<string, int> Ignored { get; init; } = new Dictionary<string, int>(StringComparer.Ordinal);
 
     /// <summary>The number of lines that were ignored; comments and blank lines do not count.</summary>
     public long IgnoredLines { get; init; }
@@ -35,4 +37,7 @@ public sealed record MeshReadReport
 
     /// <summary>How many vertices of an STL were joined with an earlier one.</summary>
     public int WeldedVertices { get; init; }
+
+    /// <summary>What the builder did with faces that do not make a manifold; null if only the data were read.</summary>
+    public BuildReport? Build { get; init; }
 }

@@ -95,16 +95,13 @@ internal sealed class ObjChunk
                 nextCheck = (int)Math.Min((long)scanner.Position + BytesPerCheck, int.MaxValue);
                 context.ThrowIfCancelled();
                 if (reports)
-                    context.Check(ReadShare * (scanner.Position - from) / (to - from));
+                    context.Check(ReadContext.ReadShare * (scanner.Position - from) / (to - from));
             }
 
             ReadLine(ref scanner);
             scanner.NextLine();
         }
     }
-
-    /// <summary>The share of reading in the time until the mesh is there; building is the rest.</summary>
-    public const double ReadShare = 0.6;
 
     private void ReadLine(ref TextScanner scanner)
     {

@@ -38,7 +38,7 @@ internal static class ObjReader
     private static int[] Cut(ReadOnlySpan<byte> text, MeshReadOptions options)
     {
         int start = text.StartsWith("\uFEFF"u8) ? 3 : 0;
-        int threads = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
+        int threads = options.MaxChunks > 0 ? options.MaxChunks : Parallelism.Threads;
         int count = (int)Math.Clamp((long)text.Length / options.MinChunkBytes, 1, threads);
         List<int> cuts = [start];
         for (int c = 1; c < count; c++)

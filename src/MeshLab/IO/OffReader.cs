@@ -121,7 +121,7 @@ internal static class OffReader
         for (int v = 0; v < count; v++)
         {
             if (v % InstancesPerCheck == 0)
-                context.Check(ObjChunk.ReadShare * scanner.Position / fileLength);
+                context.Check(ReadContext.ReadShare * scanner.Position / fileLength);
             double x = ReadCoordinate(ref scanner), y = ReadCoordinate(ref scanner), z = ReadCoordinate(ref scanner);
             vertices.Positions.Add(new Vector3D(x, y, z));
             if (layout.HasNormals)
@@ -232,7 +232,7 @@ internal static class OffReader
         for (int f = 0; f < faceCount; f++)
         {
             if (f % InstancesPerCheck == 0)
-                context.Check(ObjChunk.ReadShare * scanner.Position / fileLength);
+                context.Check(ReadContext.ReadShare * scanner.Position / fileLength);
             scanner.SkipLinesAndComments();
             int start = scanner.Position;
             int degree = scanner.ReadInteger("the number of corners of a face");

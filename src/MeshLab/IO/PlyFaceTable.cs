@@ -1,4 +1,5 @@
 using MeshLab.Numerics;
+using MeshLab.Structure;
 
 namespace MeshLab.IO;
 
@@ -6,7 +7,7 @@ namespace MeshLab.IO;
 /// <param name="vertexCount">How many vertices the header announces; reading the vertices makes sure that they are there.</param>
 internal sealed class PlyFaceTable(int vertexCount)
 {
-    private const string LabelPrefix = "label_";
+    public const string LabelPrefix = "label_";
     private GrowingArray<int> starts = StartsOfNone();
     private GrowingArray<int> corners = new(0);
 
@@ -37,7 +38,8 @@ internal sealed class PlyFaceTable(int vertexCount)
 
         private static bool IsLabel(PlyProperty property, PlyHeader header) =>
             !property.IsList && PlyHeader.IsInteger(property.Type) && property.Name.StartsWith(LabelPrefix, StringComparison.Ordinal)
-            && header.LabelNames.ContainsKey(property.Name[LabelPrefix.Length..]);
+            && header.LabelNames.ContainsKey(property.Name[LabelPrefix.Length..])
+            && property.Name[LabelPrefix.Length..] is not (TraitNames.Normal or TraitNames.Color or TraitNames.SelectedFlag);
     }
 
     public void Read(ref PlyCursor cursor, PlyElement element, PlyHeader header, ReadContext context)

@@ -153,12 +153,12 @@ internal sealed class PlyHeader
     private void ReadComment(ReadOnlySpan<byte> comment)
     {
         string[] parts = System.Text.Encoding.UTF8.GetString(comment).Split(' ', 4);
-        if (parts.Length < 4 || parts[0] != LabelComment)
+        if (parts.Length < 3 || parts[0] != LabelComment)
             return;
         if (!LabelNames.TryGetValue(parts[1], out List<string>? names))
             LabelNames.Add(parts[1], names = []);
         if (int.TryParse(parts[2], System.Globalization.CultureInfo.InvariantCulture, out int index) && index == names.Count)
-            names.Add(parts[3]);
+            names.Add(parts.Length > 3 ? parts[3] : "");
     }
 
     private static MeshEncoding ReadEncoding(ref TextScanner scanner)

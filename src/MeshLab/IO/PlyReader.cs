@@ -82,7 +82,7 @@ internal static class PlyReader
     public static void CheckSometimes(int instance, ref PlyCursor cursor, ReadContext context)
     {
         if (instance % InstancesPerCheck == 0)
-            context.Check(ObjChunk.ReadShare * cursor.Fraction);
+            context.Check(ReadContext.ReadShare * cursor.Fraction);
     }
 
     /// <summary>What a colour's number is divided by.</summary>

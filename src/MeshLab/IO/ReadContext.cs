@@ -6,6 +6,9 @@ namespace MeshLab.IO;
 /// <summary>What a reader needs beside the bytes: the file's name for errors, options, progress and cancellation, and a place for its findings.</summary>
 internal sealed class ReadContext(string file, MeshReadOptions options, IProgress<double>? progress, CancellationToken cancellationToken)
 {
+    /// <summary>The share of reading in the time until the mesh is there; building is the rest.</summary>
+    public const double ReadShare = 0.6;
+
     private const int ShownTokenLength = 32;
     private const int KeptKeywords = 64;
     private readonly Dictionary<string, int> ignoredKeywords = new(StringComparer.Ordinal);
@@ -28,8 +31,6 @@ internal sealed class ReadContext(string file, MeshReadOptions options, IProgres
 
     public int WeldedVertices { get; set; }
 
-    public IReadOnlyDictionary<string, int> IgnoredKeywords => ignoredKeywords;
-
     /// <summary>Throws if the caller has cancelled, and tells how much is done.</summary>
     public void Check(double fraction)
     {
@@ -47,6 +48,22 @@ internal sealed class ReadContext(string file, MeshReadOptions options, IProgres
             keyword = "…";
         ignoredKeywords[keyword] = ignoredKeywords.GetValueOrDefault(keyword) + count;
     }
+
+    /// <summary>The findings for the caller.</summary>
+    public MeshReadReport ToReport(MeshFormat format, MeshData data) => new()
+    {
+        Format = format,
+        Encoding = Encoding,
+        VertexCount = data.VertexCount,
+        FaceCount = data.FaceCount,
+        MaterialLibraries = MaterialLibraries,
+        Ignored = ignoredKeywords,
+        IgnoredLines = IgnoredLines,
+        IgnoredWeights = IgnoredWeights,
+        ReplacedAttributes = ReplacedAttributes,
+        TrailingBytes = TrailingBytes,
+        WeldedVertices = WeldedVertices,
+    };
 
     /// <summary>The error at a place of a text: counts the lines up to there.</summary>
     public MeshFormatException TextError(ReadOnlySpan<byte> text, int position, string expected) =>

@@ -50,7 +50,7 @@ internal static class StlReader
         for (int f = 0; f < count; f++)
         {
             if (f % FacetsPerCheck == 0)
-                context.Check(ObjChunk.ReadShare * f / count);
+                context.Check(ReadContext.ReadShare * f / count);
             int offset = HeaderBytes + f * FacetBytes + 12;
             for (int k = 0; k < 3; k++, offset += 12)
                 corners[3 * f + k] = ReadVertex(file, offset, context);
@@ -94,7 +94,7 @@ internal static class StlReader
         while (!TryTake(ref scanner, "endsolid"u8))
         {
             if (corners.Count % (3 * FacetsPerCheck) == 0)
-                context.Check(ObjChunk.ReadShare * scanner.Position / fileLength);
+                context.Check(ReadContext.ReadShare * scanner.Position / fileLength);
             Expect(ref scanner, "facet"u8, "facet or endsolid");
             Expect(ref scanner, "normal"u8, "normal");
             for (int k = 0; k < 3; k++)

@@ -12,6 +12,7 @@ internal ref struct TextScanner
     private readonly int end;
     private readonly ReadContext context;
 
+    /// <summary>Scans a part of a file.</summary>
     /// <param name="text">The whole file, so that errors know their line.</param>
     /// <param name="from">The first byte to scan.</param>
     /// <param name="to">The byte after the last one to scan.</param>

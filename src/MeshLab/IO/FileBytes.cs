@@ -1,0 +1,95 @@
+using System.IO.Compression;
+using MeshLab.Numerics;
+
+namespace MeshLab.IO;
+
+/// <summary>Brings the bytes of a file or a stream into memory, unpacked if they are packed by gzip.</summary>
+internal static class FileBytes
+{
+    private const int BlockBytes = 1 << 21;
+
+    public static ReadOnlyMemory<byte> Read(string path, ReadContext context)
+    {
+        if (Directory.Exists(path))
+            throw new IOException($"'{path}' is a directory, not a file.");
+        ReadOnlyMemory<byte> bytes = ReadWhole(path);
+        return path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? Unpack(bytes, context) : bytes;
+    }
+
+    public static ReadOnlyMemory<byte> Read(Stream stream, ReadContext context)
+    {
+        ReadOnlyMemory<byte> bytes = ReadToEnd(stream, 1 << 16, context);
+        return IsGzip(bytes.Span) ? Unpack(bytes, context) : bytes;
+    }
+
+    private static bool IsGzip(ReadOnlySpan<byte> bytes) => bytes.StartsWith((ReadOnlySpan<byte>)[0x1F, 0x8B]);
+
+    private static ReadOnlyMemory<byte> ReadWhole(string path)
+    {
+        using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
+        if (!stream.CanSeek || stream.Length < 2 * BlockBytes)
+            return File.ReadAllBytes(path);
+        if (stream.Length > Array.MaxLength)
+            throw new IOException($"'{path}' has more than {Array.MaxLength} bytes, the most that can be read.");
+
+        byte[] bytes = GC.AllocateUninitializedArray<byte>((int)stream.Length);
+        int missing = 0;
+        Parallelism.ForBlocks(bytes.Length, BlockBytes, (from, to) =>
+        {
+            while (from < to)
+            {
+                int read = RandomAccess.Read(stream.SafeFileHandle, bytes.AsSpan(from..to), from);
+                if (read == 0)
+                {
+                    Interlocked.Add(ref missing, to - from);
+                    return;
+                }
+
+                from += read;
+            }
+        });
+        return missing == 0 ? bytes : throw new IOException($"'{path}' became shorter while it was read.");
+    }
+
+    private static ReadOnlyMemory<byte> ReadToEnd(Stream stream, long guess, ReadContext context)
+    {
+        byte[] bytes = GC.AllocateUninitializedArray<byte>((int)Math.Clamp(guess, 1 << 12, 1 << 30));
+        int length = 0;
+        while (true)
+        {
+            context.ThrowIfCancelled();
+            if (length == bytes.Length)
+            {
+                if (length == Array.MaxLength)
+                    throw new IOException($"'{context.File}' has more than {Array.MaxLength} bytes, the most that can be read.");
+                Array.Resize(ref bytes, (int)Math.Min(2L * length, Array.MaxLength));
+            }
+
+            int read = stream.Read(bytes.AsSpan(length, Math.Min(bytes.Length - length, 1 << 20)));
+            if (read == 0)
+                return bytes.AsMemory(0, length);
+            length += read;
+        }
+    }
+
+    private static ReadOnlyMemory<byte> Unpack(ReadOnlyMemory<byte> packed, ReadContext context)
+    {
+        if (!IsGzip(packed.Span))
+            throw context.BinaryError(0, packed.IsEmpty ? "an empty file" : "other bytes", "data packed by gzip");
+        try
+        {
+            using MemoryStream source = new(packed.ToArray(), writable: false);
+            using GZipStream stream = new(source, CompressionMode.Decompress);
+            ReadOnlyMemory<byte> bytes = ReadToEnd(stream, 4L * packed.Length, context);
+            // The last four bytes repeat the length of the (last) packed part; fewer bytes than that means that the end is missing.
+            uint announced = System.Buffers.Binary.BinaryPrimitives.ReadUInt32LittleEndian(packed.Span[^4..]);
+            if ((uint)bytes.Length < announced && bytes.Length < announced)
+                throw context.BinaryError(packed.Length, "the end of the packed data", $"{announced} unpacked bytes instead of {bytes.Length}");
+            return bytes;
+        }
+        catch (InvalidDataException error)
+        {
+            throw context.BinaryError(packed.Length, "damaged data", $"data packed by gzip ({error.Message})");
+        }
+    }
+}
