@@ -1,0 +1,108 @@
+using System.Text.Json;
+using MeshLab.Geometry;
+using MeshLab.Numerics;
+using MeshLab.Structure;
+using Xunit;
+
+namespace MeshLab.Tests.Geometry;
+
+[Trait("Section", "10.2")]
+public class VolumesTests
+{
+    /// <summary>The unit cube of quads with one corner at the place given.</summary>
+    internal static Mesh Cube(Vector3D corner = default, double size = 1) => MeshBuilder.FromPolygons(
+        [.. Enumerable.Range(0, 8).Select(i => corner + (size * new Vector3D(i & 1, (i >> 1) & 1, i >> 2)))],
+        [0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]);
+
+    [Theory]
+    [InlineData(0, 1)]
+    [InlineData(1e6, 1)]
+    [InlineData(-3e-6, 1e-6)]
+    [InlineData(5, 1e6)]
+    public void MassProperties_CubeAnywhere_AreExact(double offset, double size)
+    {
+        MassProperties mass = Cube(new(offset, 2 * offset, -offset), size).ComputeMassProperties();
+        Assert.Equal(6 * size * size, mass.Area, 1e-9 * size * size);
+        Assert.Equal(1, mass.Volume / (size * size * size), 1e-9);
+        Vector3D center = new(offset + (size / 2), (2 * offset) + (size / 2), -offset + (size / 2));
+        Assert.True(Vector3D.Distance(center, mass.VolumeCentroid) <= 1e-9 * Math.Max(size, Math.Abs(offset) * 1e-6));
+        Assert.True(Vector3D.Distance(center, mass.SurfaceCentroid) <= 1e-9 * Math.Max(size, Math.Abs(offset) * 1e-6));
+        double unit = Math.Pow(size, 5);
+        Assert.Equal(1 / 6.0, mass.Inertia.XX / unit, 1e-8);
+        Assert.Equal(1 / 6.0, mass.Inertia.YY / unit, 1e-8);
+        Assert.Equal(0.5, mass.Inertia.Trace / unit, 1e-8);
+        Assert.Equal(0, mass.Inertia.XY / unit, 1e-8);
+        Assert.Equal(0, mass.Inertia.YZ / unit, 1e-8);
+        Assert.Equal(0, mass.Inertia.ZX / unit, 1e-8);
+    }
+
+    [Fact]
+    public void Volume_TurnedInsideOut_ChangesItsSign()
+    {
+        Mesh cube = MeshBuilder.FromPolygons(
+            [.. Enumerable.Range(0, 8).Select(i => new Vector3D(i & 1, (i >> 1) & 1, i >> 2))],
+            [1, 3, 2, 0], [6, 7, 5, 4], [4, 5, 1, 0], [5, 7, 3, 1], [7, 6, 2, 3], [6, 4, 0, 2]);
+        Assert.Equal(-1, cube.Volume, 1e-15);
+        Assert.Equal(0.5, cube.ComputeMassProperties().VolumeCentroid.X, 1e-15);
+    }
+
+    [Fact]
+    public void Volume_OpenMesh_IsThatOfTheConeFromTheOrigin()
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(1, 0, 0), new(0, 2, 0), new(0, 0, 3)], [0, 1, 2]);
+        Assert.Equal(1, mesh.Volume, 1e-15);
+    }
+
+    [Fact]
+    public void MassProperties_EmptyMesh_AreZeroWithoutCentroid()
+    {
+        MassProperties mass = new Mesh().ComputeMassProperties();
+        Assert.Equal(0, mass.Area);
+        Assert.Equal(0, mass.Volume);
+        Assert.True(double.IsNaN(mass.SurfaceCentroid.X));
+    }
+
+    [SkippableFact]
+    public void AreaAndVolume_SmoothSurfaces_ConvergeWithOrderTwo()
+    {
+        JsonElement surfaces = ReferenceData.Json("analytic").RootElement.GetProperty("surfaces");
+        foreach (var (surface, key) in new[]
+        {
+            (AnalyticSurface.Sphere, "unit_sphere"), (AnalyticSurface.Torus, "torus_R2_r0.5"), (AnalyticSurface.Ellipsoid, "ellipsoid_1.5_1_0.75"),
+            (AnalyticSurface.Catenoid, "catenoid_c1"),
+        })
+        {
+            double area = surfaces.GetProperty(key).GetProperty("area_value").GetDouble();
+            MassProperties coarse = surface.Mesh(16).ComputeMassProperties(), fine = surface.Mesh(32).ComputeMassProperties();
+            Assert.InRange(Math.Log2(Math.Abs((coarse.Area - area) / (fine.Area - area))), 1.8, 2.2);
+            if (!surfaces.GetProperty(key).TryGetProperty("volume_value", out JsonElement stored))
+                continue;
+            double volume = stored.GetDouble();
+            Assert.InRange(Math.Log2(Math.Abs((coarse.Volume - volume) / (fine.Volume - volume))), 1.8, 2.2);
+        }
+    }
+
+    [SkippableFact]
+    public void PlatonicSolids_EdgeLengthOne_HaveTheKnownMeasures()
+    {
+        JsonElement solids = ReferenceData.Json("analytic").RootElement.GetProperty("platonic_edge_length_1");
+        double t = 1 / (2 * Math.Sqrt(2));
+        Mesh tetrahedron = MeshBuilder.FromTriangles(
+            [new(t, t, t), new(t, -t, -t), new(-t, t, -t), new(-t, -t, t)], [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2]);
+        Check(tetrahedron, solids.GetProperty("tetrahedron"));
+        Check(Cube(), solids.GetProperty("cube"));
+        Mesh octahedron = AnalyticSurface.Sphere.Mesh(1);
+        for (int v = 0; v < 6; v++)
+            octahedron.Positions[v] /= Math.Sqrt(2);
+        Check(octahedron, solids.GetProperty("octahedron"));
+
+        static void Check(Mesh mesh, JsonElement solid)
+        {
+            MassProperties mass = mesh.ComputeMassProperties();
+            Assert.Equal(solid.GetProperty("area").GetDouble(), mass.Area, 1e-14);
+            Assert.Equal(solid.GetProperty("volume").GetDouble(), mass.Volume, 1e-14);
+            Assert.All(mesh.ComputeDihedralAngles(), angle => Assert.Equal(solid.GetProperty("exterior_dihedral").GetDouble(), angle, 1e-14));
+            Assert.All(mesh.ComputeAngleDefects(), defect => Assert.Equal(solid.GetProperty("defect").GetDouble(), defect, 1e-14));
+        }
+    }
+}
