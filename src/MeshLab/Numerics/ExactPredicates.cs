@@ -70,7 +70,8 @@ public static class ExactPredicates
     [MethodImpl(MethodImplOptions.NoInlining), SkipLocalsInit]
     private static int Orient2DExact(double ax, double ay, double bx, double by, double cx, double cy)
     {
-        if ((ax == bx && ay == by) || (bx == cx && by == cy) || (cx == ax && cy == ay))
+        // Both products are zero, for equal points and lines along an axis, or the points are a and b themselves.
+        if (((ax == cx || by == cy) && (ay == cy || bx == cx)) || (ax == bx && ay == by))
             return 0;
         ReadOnlySpan<double> coordinates = [ax, ay, bx, by, cx, cy];
         if (!FitsExpansions(coordinates))
@@ -92,8 +93,8 @@ public static class ExactPredicates
     [MethodImpl(MethodImplOptions.NoInlining), SkipLocalsInit]
     private static int Orient3DExact(in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D d)
     {
-        if (a == b || a == c || a == d || b == c || b == d || c == d
-            || (a.X == d.X && b.X == d.X && c.X == d.X) || (a.Y == d.Y && b.Y == d.Y && c.Y == d.Y) || (a.Z == d.Z && b.Z == d.Z && c.Z == d.Z))
+        if ((a.Z == d.Z && b.Z == d.Z && c.Z == d.Z) || (a.Y == d.Y && b.Y == d.Y && c.Y == d.Y) || (a.X == d.X && b.X == d.X && c.X == d.X)
+            || Same(a, b) || Same(a, c) || Same(a, d) || Same(b, c) || Same(b, d) || Same(c, d))
             return 0;
         ReadOnlySpan<double> coordinates = [a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z, d.X, d.Y, d.Z];
         if (!FitsExpansions(coordinates))
@@ -134,6 +135,8 @@ public static class ExactPredicates
         }
         return -Expansion.Sign(determinant[..n]);
     }
+
+    private static bool Same(in Vector3D a, in Vector3D b) => a.X == b.X && a.Y == b.Y && a.Z == b.Z;
 
     // z · (px · qy − qx · py), left at room[32..].
     private static int Term(

@@ -23,6 +23,7 @@ public readonly record struct RayHit(int Face, int Triangle, double Parameter, V
 }
 
 /// <summary>Rays. Watertight after Woop, Benthin, Wald 2013: a ray through an edge or a vertex never slips between the faces around it.</summary>
+/// <remarks>Faces seen edge-on are not hit; whether a face without area is hit is left to rounding.</remarks>
 public sealed partial class FaceTree
 {
     private enum RayMode

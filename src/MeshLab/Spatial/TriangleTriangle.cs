@@ -127,9 +127,10 @@ public static class TriangleTriangle
         _ => ExactPredicates.Orient2D(a.X, a.Y, b.X, b.Y, c.X, c.Y),
     };
 
-    private static int Compare(Vector3D a, Vector3D b) => (a.X, a.Y, a.Z).CompareTo((b.X, b.Y, b.Z));
+    private static int Compare(in Vector3D a, in Vector3D b) =>
+        a.X != b.X ? (a.X < b.X ? -1 : 1) : a.Y != b.Y ? (a.Y < b.Y ? -1 : 1) : a.Z != b.Z ? (a.Z < b.Z ? -1 : 1) : 0;
 
-    private static Vector3D Larger(Vector3D a, Vector3D b) => Compare(a, b) >= 0 ? a : b;
+    private static Vector3D Larger(in Vector3D a, in Vector3D b) => Compare(a, b) >= 0 ? a : b;
 
-    private static Vector3D Smaller(Vector3D a, Vector3D b) => Compare(a, b) <= 0 ? a : b;
+    private static Vector3D Smaller(in Vector3D a, in Vector3D b) => Compare(a, b) <= 0 ? a : b;
 }
