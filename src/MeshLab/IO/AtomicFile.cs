@@ -9,7 +9,7 @@ internal static class AtomicFile
         if (Directory.Exists(path))
             throw new IOException($"'{path}' is a directory, not a file.");
         // A link stays a link, and a device a device.
-        if (File.ResolveLinkTarget(path, returnFinalTarget: true) is { } target)
+        if (File.Exists(path) && File.ResolveLinkTarget(path, returnFinalTarget: true) is { } target)
             path = target.FullName;
         if (path.StartsWith("/dev/", StringComparison.Ordinal))
         {
