@@ -1,1 +1,3 @@
-return 0;
+using MeshLab.Demos.Hosting;
+
+return DemoProgram.Run(args);
