@@ -12,6 +12,12 @@ internal static class DemoProgram
 
     public static int Run(string[] args)
     {
+        if (Console.IsOutputRedirected)
+        {
+            // In a file there are no colours, and lines need not be broken.
+            AnsiConsole.Console = AnsiConsole.Create(new AnsiConsoleSettings { Ansi = AnsiSupport.No });
+            AnsiConsole.Profile.Width = 200;
+        }
         string outDirectory = "out";
         var words = new List<string>();
         for (int i = 0; i < args.Length; i++)

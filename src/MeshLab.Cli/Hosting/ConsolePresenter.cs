@@ -12,7 +12,11 @@ internal static class ConsolePresenter
 
     public static void Print(Verb verb, VerbContext context, TextWriter output)
     {
-        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(output) });
+        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings
+        {
+            Out = new AnsiConsoleOutput(output),
+            Ansi = Console.IsOutputRedirected ? AnsiSupport.No : AnsiSupport.Detect,
+        });
         if (Console.IsOutputRedirected)
             console.Profile.Width = 160;
         var table = new Table { Title = new TableTitle($"mlab {verb.Name}") }.RoundedBorder().HideHeaders();
