@@ -1,0 +1,213 @@
+using MeshLab.Numerics;
+
+namespace MeshLab.Simplification;
+
+/// <summary>What an edge costs. Structs, so that the loop is compiled once for each without calls through an interface.</summary>
+internal interface IEdgeCost
+{
+    /// <summary>The cost of contracting an edge, where its vertex goes, and the weight of the planes that the cost is a sum over.</summary>
+    double Evaluate(int edge, out Vector3D position, out double weight);
+
+    /// <summary>Whether the edge's key is only a lower bound of its cost.</summary>
+    bool IsStale(int edge);
+
+    /// <summary>Notes that the key of the edge is its cost at this time.</summary>
+    void MarkFresh(int edge, int time);
+
+    /// <summary>Called after each contraction, before the ring is walked.</summary>
+    void VertexMerged(int kept, int removed, int time);
+
+    /// <summary>Called for every half-edge that leaves the new vertex.</summary>
+    void RingChanged(int halfEdge, int time);
+
+    /// <summary>Called for every edge around the new vertex that waits in the queue.</summary>
+    void MarkStale(int edge);
+
+    /// <summary>The key with which a parked edge goes back to the queue.</summary>
+    double ReleaseKey(int edge);
+}
+
+/// <summary>What all loops of one simplification share.</summary>
+internal sealed record LoopSettings(bool AllowFlips, double MaxMeanSquare, CollapseLog? Log);
+
+/// <summary>Contracts the cheapest edge, again and again.</summary>
+/// <typeparam name="TCost">What an edge costs.</typeparam>
+/// <remarks>A key in the queue may be older than the costs around it. With summed quadrics costs only grow when a neighbour is contracted, so an old key
+/// is a lower bound, and it is enough to look again when the edge reaches the front: most edges are merged away before that.</remarks>
+internal sealed class CollapseLoop<TCost>
+    where TCost : struct, IEdgeCost
+{
+    private const int StepsBetweenChecks = 1 << 12;
+    private readonly WorkingMesh mesh;
+    private readonly LoopSettings settings;
+    private readonly CancellationToken cancellationToken;
+    private readonly Action<int>? report;
+    private TCost cost;
+    private int stamp;
+    private int pendingEdge = -1;
+    private Vector3D pendingPosition;
+    private double pendingWeight;
+
+    public CollapseLoop(
+        WorkingMesh mesh, TCost cost, BucketQueue queue, LoopSettings settings, int stamp, Action<int>? report, CancellationToken cancellationToken)
+    {
+        this.mesh = mesh;
+        this.cost = cost;
+        this.settings = settings;
+        this.stamp = stamp;
+        this.report = report;
+        this.cancellationToken = cancellationToken;
+        Queue = queue;
+    }
+
+    public BucketQueue Queue { get; }
+
+    /// <summary>The last number that marked vertices; it grows with every edge that is examined, and so serves as the time too.</summary>
+    public int Stamp => stamp;
+
+    public int FacesRemoved { get; private set; }
+
+    public int Collapses { get; private set; }
+
+    /// <summary>The largest cost per weight of a contraction, in working units squared.</summary>
+    public double MaxMeanSquare { get; private set; }
+
+    /// <summary>Empties the queue's buckets one after the other until so many faces are removed.</summary>
+    public void Run(BucketScale scale, int facesToRemove)
+    {
+        for (int bucket = 0; bucket < scale.Count && FacesRemoved < facesToRemove; bucket++)
+        {
+            Drain(bucket, facesToRemove);
+            cancellationToken.ThrowIfCancellationRequested();
+        }
+    }
+
+    /// <summary>Contracts what is in one bucket, and what falls into it meanwhile.</summary>
+    public void Drain(int bucket, int facesToRemove)
+    {
+        Queue.Current = bucket;
+        int steps = 0;
+        while (FacesRemoved < facesToRemove)
+        {
+            if (Queue.HeapCount == 0)
+            {
+                if (!Queue.HasEntries(bucket))
+                    return;
+                Fill(bucket);
+                continue;
+            }
+            if (++steps % StepsBetweenChecks == 0)
+            {
+                if (cancellationToken.IsCancellationRequested)
+                    return;
+                report?.Invoke(FacesRemoved);
+            }
+            Step(Queue.Top);
+        }
+    }
+
+    /// <summary>Moves a bucket's list into the heap; edges whose cost has grown out of the bucket go to a later one.</summary>
+    private void Fill(int bucket)
+    {
+        UncheckedArray<byte> states = mesh.States;
+        UncheckedArray<double> keys = mesh.Keys;
+        for (int edge = Queue.TakeList(bucket), following; edge >= 0; edge = following)
+        {
+            following = Queue.NextInList(edge);
+            if (states[edge] == EdgeState.Deleted)
+                continue;
+            if (cost.IsStale(edge))
+            {
+                double key = cost.Evaluate(edge, out _, out _);
+                keys[edge] = key;
+                cost.MarkFresh(edge, stamp);
+                Queue.InsertUnsorted(edge, key);
+                continue;
+            }
+            Queue.Append(edge, keys[edge]);
+        }
+        Queue.Heapify();
+    }
+
+    private void Step(int edge)
+    {
+        if (mesh.States[edge] == EdgeState.Deleted)
+        {
+            Queue.Pop();
+            return;
+        }
+        if (cost.IsStale(edge))
+        {
+            double key = cost.Evaluate(edge, out pendingPosition, out pendingWeight);
+            pendingEdge = edge;
+            mesh.Keys[edge] = key;
+            cost.MarkFresh(edge, stamp);
+            Queue.ChangeTop(key);
+            return;
+        }
+        Queue.Pop();
+        byte refusal = Examine(edge);
+        if (refusal == EdgeState.Clean)
+            Contract(edge);
+        else
+            mesh.States[edge] = refusal;
+    }
+
+    /// <summary>Why the edge may not be contracted; <see cref="EdgeState.Clean"/> if it may, and then the pending position and weight are its own.</summary>
+    private byte Examine(int edge)
+    {
+        int h = 2 * edge;
+        if (mesh.Constraints is { } constraints && !constraints.Allow(mesh, h))
+            return EdgeState.RefusedByConstraint;
+        if (!mesh.LinkConditionHolds(h, ++stamp))
+            return EdgeState.RefusedByTopology;
+        if (pendingEdge != edge)
+            cost.Evaluate(edge, out pendingPosition, out pendingWeight);
+        pendingEdge = -1;
+        if (mesh.Keys[edge] > settings.MaxMeanSquare * pendingWeight)
+            return EdgeState.RefusedByError;
+        if (!settings.AllowFlips && !(mesh.KeepsOrientation(h, pendingPosition) && mesh.KeepsOrientation(h ^ 1, pendingPosition)))
+            return EdgeState.RefusedByFlip;
+        return EdgeState.Clean;
+    }
+
+    private void Contract(int edge)
+    {
+        UncheckedArray<HalfEdgeRow> rows = mesh.Rows;
+        UncheckedArray<byte> states = mesh.States;
+        int h = 2 * edge;
+        int u = rows[h ^ 1].Target, v = rows[h].Target;
+        FacesRemoved += (rows[h].Face >= 0 ? 1 : 0) + (rows[h ^ 1].Face >= 0 ? 1 : 0);
+        Collapses++;
+        if (pendingWeight > 0)
+            MaxMeanSquare = Math.Max(MaxMeanSquare, mesh.Keys[edge] / pendingWeight);
+
+        Merges merges = mesh.ChooseMerges(h);
+        settings.Log?.BeforeCollapse(mesh, h, pendingPosition, merges);
+        int start = mesh.Collapse(h, pendingPosition, merges);
+        mesh.Constraints?.VertexMerged(v, u);
+        cost.VertexMerged(v, u, stamp);
+
+        int g = start;
+        do
+        {
+            if (rows[g].Face < 0)
+                mesh.Outgoing[v] = g;
+            cost.RingChanged(g, stamp);
+            int changed = g >> 1;
+            if (states[changed] >= EdgeState.Parked)
+            {
+                states[changed] = EdgeState.Clean;
+                double key = cost.ReleaseKey(changed);
+                mesh.Keys[changed] = key;
+                Queue.Insert(changed, key);
+            }
+            else
+            {
+                cost.MarkStale(changed);
+            }
+            g = rows[g ^ 1].Next;
+        }
+        while (g != start);
+    }
+}

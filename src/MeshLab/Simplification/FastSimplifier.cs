@@ -1,0 +1,189 @@
+using MeshLab.Numerics;
+using MeshLab.Structure;
+
+namespace MeshLab.Simplification;
+
+/// <summary>Fast mode: summed quadrics, a bucket queue of lower bounds, and on large meshes regions at once.</summary>
+internal sealed class FastSimplifier
+{
+    private readonly QuadricOptions options;
+    private readonly int facesBefore;
+    private readonly IProgress<double>? progress;
+    private readonly CancellationToken cancellationToken;
+    private readonly CollapseLog? extraLog;
+    private readonly TraitLog? traits;
+
+    public FastSimplifier(Mesh mesh, QuadricOptions options, CollapseLog? extraLog, IProgress<double>? progress, CancellationToken cancellationToken)
+    {
+        this.options = options;
+        this.extraLog = extraLog;
+        this.progress = progress;
+        this.cancellationToken = cancellationToken;
+        facesBefore = mesh.Faces.Count;
+        Working = new WorkingMesh(mesh) { Constraints = Constraints.From(mesh, options) };
+        traits = TraitLog.For(mesh);
+    }
+
+    public WorkingMesh Working { get; }
+
+    /// <summary>The part of the whole work that this is, for progress.</summary>
+    public double ProgressShare { get; init; } = 1;
+
+    public int Collapses { get; private set; }
+
+    public double MaxMeanSquare { get; private set; }
+
+    /// <summary>Blends the mesh's traits as the contractions ask for. The first change to the mesh: call when nothing can fail any more.</summary>
+    public void ApplyTraits(Mesh mesh) => traits?.Apply(mesh);
+
+    /// <summary>Contracts edges with summed quadrics until the number of faces is reached.</summary>
+    /// <returns>The sums, for those who go on.</returns>
+    public UncheckedArray<Quadric> Run(int targetFaces)
+    {
+        VertexQuadrics planes = PlanesOf(options);
+        UncheckedArray<Quadric> quadrics = planes.GatherAll();
+        var cost = new SummedQuadrics(Working, quadrics, new Placement(Working, options.Placement));
+        Contract(cost, targetFaces);
+        return quadrics;
+    }
+
+    public VertexQuadrics PlanesOf(QuadricOptions options) => new(
+        Working, options.AreaWeights, options.BoundaryWeight, options.Boundary != BoundaryTreatment.Free);
+
+    /// <summary>Contracts edges with any cost until the number of faces is reached or nothing is left.</summary>
+    public void Contract<TCost>(TCost cost, int targetFaces)
+        where TCost : struct, IEdgeCost
+    {
+        if (Working.FaceCount <= targetFaces)
+            return;
+        BucketScale scale = EvaluateAll(cost);
+        UncheckedArray<int> links = UncheckedArray<int>.Uninitialized(Working.EdgeSlots);
+        int stamp = 0;
+        int regions = extraLog is null && traits is null ? Regions.CountFor(Working.FaceCount) : 1;
+        if (regions > 1 && Working.FaceCount > targetFaces / 3 * 4)
+            stamp = RunRegions(cost, scale, links, regions, targetFaces);
+
+        while (Working.FaceCount > targetFaces)
+        {
+            CollapseLoop<TCost> loop = NewLoop(cost, new BucketQueue(scale, links), stamp, Report);
+            for (int e = Working.EdgeSlots - 1; e >= 0; e--)
+            {
+                if (Working.States[e] == EdgeState.Deleted)
+                    continue;
+                if (Working.States[e] >= EdgeState.Parked)
+                    Release(ref cost, e);
+                loop.Queue.Insert(e, Working.Keys[e]);
+            }
+            loop.Run(scale, Working.FaceCount - targetFaces);
+            Take(loop);
+            stamp = loop.Stamp;
+            // What was refused may have become possible since; only a round without a contraction shows that nothing is left.
+            if (loop.Collapses == 0)
+                return;
+        }
+    }
+
+    /// <summary>The reasons of the edges that were refused and are waiting.</summary>
+    public RefusalCounts CountRefusals()
+    {
+        var counts = new int[EdgeState.RefusedByError + 1];
+        foreach (byte state in Working.States.Items)
+            counts[state]++;
+        return new(counts[EdgeState.RefusedByTopology], counts[EdgeState.RefusedByConstraint], counts[EdgeState.RefusedByFlip], counts[EdgeState.RefusedByError]);
+    }
+
+    private BucketScale EvaluateAll<TCost>(TCost cost)
+        where TCost : struct, IEdgeCost
+    {
+        UncheckedArray<byte> states = Working.States;
+        UncheckedArray<double> keys = Working.Keys;
+        Parallelism.ForBlocks(Working.EdgeSlots, (first, end) =>
+        {
+            for (int e = first; e < end; e++)
+            {
+                if (states[e] == EdgeState.Deleted)
+                    continue;
+                states[e] = EdgeState.Clean;
+                keys[e] = cost.Evaluate(e, out _, out _);
+            }
+        });
+        double largest = 0;
+        for (int e = 0; e < states.Length; e++)
+        {
+            if (states[e] != EdgeState.Deleted)
+                largest = Math.Max(largest, keys[e]);
+        }
+        return new BucketScale(largest);
+    }
+
+    private int RunRegions<TCost>(TCost cost, BucketScale scale, UncheckedArray<int> links, int regions, int targetFaces)
+        where TCost : struct, IEdgeCost
+    {
+        Regions split = new(Working, regions);
+        var loops = new CollapseLoop<TCost>[regions];
+        for (int r = 0; r < regions; r++)
+            loops[r] = NewLoop(cost, new BucketQueue(scale, links), 0, null);
+        for (int e = Working.EdgeSlots - 1; e >= 0; e--)
+        {
+            if (Working.States[e] == EdgeState.Deleted)
+                continue;
+            int region = split.RegionOfEdge(e);
+            if (region >= 0)
+                loops[region].Queue.Insert(e, Working.Keys[e]);
+        }
+
+        int stop = split.WhereToStop(targetFaces);
+        for (int bucket = 0; bucket < scale.Count && Working.FaceCount - Removed(loops) > stop; bucket++)
+        {
+            int front = bucket;
+            if (!Array.Exists(loops, loop => loop.Queue.HasEntries(front)))
+                continue;
+            Parallelism.ForBlocks(regions, 1, (r, _) => loops[r].Drain(front, int.MaxValue));
+            cancellationToken.ThrowIfCancellationRequested();
+            Report(Removed(loops));
+        }
+
+        int stamp = 0;
+        foreach (CollapseLoop<TCost> loop in loops)
+        {
+            Take(loop);
+            stamp = Math.Max(stamp, loop.Stamp);
+        }
+        return stamp;
+    }
+
+    private static int Removed<TCost>(CollapseLoop<TCost>[] loops)
+        where TCost : struct, IEdgeCost
+    {
+        int removed = 0;
+        foreach (CollapseLoop<TCost> loop in loops)
+            removed += loop.FacesRemoved;
+        return removed;
+    }
+
+    private void Release<TCost>(ref TCost cost, int edge)
+        where TCost : struct, IEdgeCost
+    {
+        Working.States[edge] = EdgeState.Clean;
+        Working.Keys[edge] = cost.ReleaseKey(edge);
+    }
+
+    private CollapseLoop<TCost> NewLoop<TCost>(TCost cost, BucketQueue queue, int stamp, Action<int>? report)
+        where TCost : struct, IEdgeCost
+    {
+        double limit = options.MaxError is double error ? error / Working.Scale : double.PositiveInfinity;
+        var settings = new LoopSettings(options.AllowFlips, limit * limit, LogGroup.Of(traits, extraLog));
+        return new CollapseLoop<TCost>(Working, cost, queue, settings, stamp, report, cancellationToken);
+    }
+
+    private void Take<TCost>(CollapseLoop<TCost> loop)
+        where TCost : struct, IEdgeCost
+    {
+        Working.FaceCount -= loop.FacesRemoved;
+        Collapses += loop.Collapses;
+        MaxMeanSquare = Math.Max(MaxMeanSquare, loop.MaxMeanSquare);
+    }
+
+    private void Report(int facesRemoved) =>
+        progress?.Report(ProgressShare * (facesBefore - Working.FaceCount + facesRemoved) / Math.Max(1, facesBefore));
+}

@@ -1,0 +1,104 @@
+using MeshLab.Structure;
+
+namespace MeshLab.Simplification;
+
+/// <summary>§7.2 二次误差度量 (quadric error metric): contracts the edge that costs least, again and again.</summary>
+/// <remarks>
+/// Garland and Heckbert 1997: the cost of putting the two ends of an edge at p is the sum of the squared distances of p to the planes of the faces that the
+/// ends stand for, q(p) = pᵀA p + 2 bᵀp + c, a <see cref="Numerics.Quadric"/>; p is where it is smallest, A p = −b. Edges of equal cost go by index, so the result is the
+/// same on every run, machine and number of threads. The work is done on a private copy in a box of unit diagonal: a call that is cancelled or throws leaves the
+/// mesh as it was. At the end the mesh given is replaced by the result without gaps, its elements in the old order; handles from before are void.
+/// Topology (components, boundary loops, Euler characteristic) never changes. Vertex traits are blended by where the new vertex lies along the edge, corner traits
+/// likewise on either side of a seam, faces keep their traits and labels.
+/// Cost: O(n log n) with a small constant; memory of fast mode about twice that of the mesh, beside the mesh itself.
+/// </remarks>
+public static class QuadricErrorMetric
+{
+    extension(Mesh mesh)
+    {
+        /// <summary>Simplifies the mesh (简化) by the quadric error metric.</summary>
+        /// <param name="options">Targets and ways.</param>
+        /// <param name="progress">Hears of the part that is done, from 0 to 1.</param>
+        /// <param name="cancellationToken">Ends the work; the mesh stays as it was.</param>
+        /// <returns>What was done and why it stopped.</returns>
+        /// <exception cref="ArgumentException">No target is set, the target exceeds the mesh's faces, or the mesh has faces that are not triangles.</exception>
+        /// <exception cref="InvalidOperationException">Operations on the mesh are being recorded (textbook mode can be).</exception>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public SimplificationResult Simplify(
+            QuadricOptions options, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
+        {
+            ArgumentNullException.ThrowIfNull(options);
+            int target = TargetOf(mesh, options);
+            SimplificationInput.CheckTriangles(mesh);
+            cancellationToken.ThrowIfCancellationRequested();
+            SimplificationInput.CheckNotRecorded(mesh);
+            SimplificationResult result = RunFast(mesh, options, target, progress, cancellationToken);
+            progress?.Report(1);
+            return result;
+        }
+    }
+
+    private static SimplificationResult RunFast(
+        Mesh mesh, QuadricOptions options, int target, IProgress<double>? progress, CancellationToken cancellationToken)
+    {
+        int before = mesh.Faces.Count;
+        var simplifier = new FastSimplifier(mesh, options, TraceLog.For(options.Trace), progress, cancellationToken);
+        simplifier.Run(target);
+        cancellationToken.ThrowIfCancellationRequested();
+        simplifier.ApplyTraits(mesh);
+        ResultWriter.Write(simplifier.Working, mesh);
+        return Report(simplifier, options, target, before);
+    }
+
+    private static SimplificationResult Report(FastSimplifier simplifier, QuadricOptions options, int target, int before)
+    {
+        RefusalCounts refusals = simplifier.CountRefusals();
+        int after = simplifier.Working.FaceCount;
+        StopReason reason = after <= target ? StopReason.TargetReached
+            : refusals.Error > 0 ? StopReason.MaxErrorReached
+            : StopReason.NothingCollapsible;
+        return new(reason, before, after, simplifier.Collapses, Math.Sqrt(simplifier.MaxMeanSquare) * simplifier.Working.Scale, refusals);
+    }
+
+    /// <summary>The number of faces to reach; 0 if only the error limits.</summary>
+    private static int TargetOf(Mesh mesh, QuadricOptions options)
+    {
+        if (options.TargetFaces is null && options.TargetRatio is null && options.MaxError is null)
+            throw new ArgumentException("Set a number of faces, a ratio or a largest error.", nameof(options));
+        int target = 0;
+        if (options.TargetFaces is int faces)
+            target = SimplificationInput.CheckTarget(mesh, faces, nameof(options));
+        if (options.TargetRatio is double ratio)
+            target = Math.Max(target, Math.Max(1, (int)(mesh.Faces.Count * ratio)));
+        return target;
+    }
+}
+
+/// <summary>What all simplifications ask of their input.</summary>
+internal static class SimplificationInput
+{
+    public static int CheckTarget(Mesh mesh, int faces, string parameter)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(faces, parameter);
+        if (faces > mesh.Faces.Count)
+            throw new ArgumentOutOfRangeException(parameter, faces, $"The mesh has {mesh.Faces.Count} faces; simplification cannot reach {faces}.");
+        return faces;
+    }
+
+    public static void CheckTriangles(Mesh mesh)
+    {
+        if (mesh.IsTriangleMesh)
+            return;
+        foreach (Face f in mesh.Faces)
+        {
+            if (!f.IsTriangle)
+                throw new ArgumentException($"{f} has {f.Degree} corners; simplification needs triangles. Triangulate the mesh first.", nameof(mesh));
+        }
+    }
+
+    public static void CheckNotRecorded(Mesh mesh)
+    {
+        if (mesh.Listener is not null)
+            throw new InvalidOperationException("Operations on the mesh are being recorded; this simplification replaces the whole mesh and cannot be.");
+    }
+}

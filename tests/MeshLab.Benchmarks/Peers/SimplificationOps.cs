@@ -1,0 +1,38 @@
+using MeshLab.Simplification;
+using MeshLab.Structure;
+
+namespace MeshLab.Benchmarks.Peers;
+
+/// <summary>Simplification to a percentage of the faces.</summary>
+internal static class SimplificationOps
+{
+    [PeerOp("qem-50")]
+    public static void Qem50(PeerRun run) => Simplify(run, 50, new());
+
+    [PeerOp("qem-10")]
+    public static void Qem10(PeerRun run) => Simplify(run, 10, new());
+
+    [PeerOp("qem-1")]
+    public static void Qem1(PeerRun run) => Simplify(run, 1, new());
+
+    [PeerOp("qem-guard-50")]
+    public static void QemGuard50(PeerRun run) => Simplify(run, 50, new());
+
+    [PeerOp("qem-guard-10")]
+    public static void QemGuard10(PeerRun run) => Simplify(run, 10, new());
+
+    [PeerOp("qem-guard-1")]
+    public static void QemGuard1(PeerRun run) => Simplify(run, 1, new());
+
+    [PeerOp("qem-accurate-10")]
+    public static void QemAccurate10(PeerRun run) => Simplify(run, 10, new() { Mode = QuadricMode.Accurate });
+
+    private static void Simplify(PeerRun run, int percent, QuadricOptions options) => run.Measure(
+        run.Model.NewMesh,
+        mesh =>
+        {
+            mesh.Simplify(options with { TargetFaces = Math.Max(1, mesh.Faces.Count * percent / 100) });
+            return mesh;
+        },
+        (_, mesh, result) => result.Measure(mesh));
+}
