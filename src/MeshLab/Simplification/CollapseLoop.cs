@@ -37,13 +37,14 @@ internal sealed record LoopSettings(bool AllowFlips, double MaxMeanSquare, Colla
 internal sealed class CollapseLoop<TCost>
     where TCost : struct, IEdgeCost
 {
-    private const int StepsBetweenChecks = 1 << 12;
+    private const int StepsBetweenChecks = 1 << 10;
     private readonly WorkingMesh mesh;
     private readonly LoopSettings settings;
     private readonly CancellationToken cancellationToken;
     private readonly Action<int>? report;
     private TCost cost;
     private int stamp;
+    private int steps;
     private int pendingEdge = -1;
     private Vector3D pendingPosition;
     private double pendingWeight;
@@ -86,7 +87,6 @@ internal sealed class CollapseLoop<TCost>
     public void Drain(int bucket, int facesToRemove)
     {
         Queue.Current = bucket;
-        int steps = 0;
         while (FacesRemoved < facesToRemove)
         {
             if (Queue.HeapCount == 0)
@@ -96,7 +96,7 @@ internal sealed class CollapseLoop<TCost>
                 Fill(bucket);
                 continue;
             }
-            if (++steps % StepsBetweenChecks == 0)
+            if ((++steps & (StepsBetweenChecks - 1)) == 0)
             {
                 if (cancellationToken.IsCancellationRequested)
                     return;

@@ -27,8 +27,7 @@ internal static class ResultWriter
             int to = maps.Vertices[v];
             if (to < 0)
                 continue;
-            // What did not move keeps its bits.
-            positions[to] = working.Positions[v] == working.Normalized(old[v]) ? old[v] : working.Restored(working.Positions[v]);
+            positions[to] = working.FinalPosition(v, old);
             int h = working.Outgoing[v];
             outgoing[to] = h < 0 ? h : maps.HalfEdges[h];
         }

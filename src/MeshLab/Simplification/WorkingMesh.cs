@@ -53,6 +53,9 @@ internal sealed class WorkingMesh
 
     private readonly UncheckedArray<int> marks;
 
+    /// <summary>Per vertex, the input vertex that it lies on; −1 if on none.</summary>
+    private readonly UncheckedArray<int> origins;
+
     public WorkingMesh(Mesh mesh)
     {
         BoundingBox box = mesh.BoundingBox;
@@ -65,13 +68,17 @@ internal sealed class WorkingMesh
         States = new byte[mesh.EdgeSlots];
         Keys = UncheckedArray<double>.Uninitialized(mesh.EdgeSlots);
         marks = new int[mesh.VertexSlots];
+        origins = UncheckedArray<int>.Uninitialized(mesh.VertexSlots);
         FaceCount = mesh.Faces.Count;
         Parallelism.ForBlocks(mesh.HalfEdgeSlots, (first, end) => CopyRows(mesh, first, end));
         Parallelism.ForBlocks(mesh.VertexSlots, (first, end) =>
         {
             Span<Vector3D> from = mesh.Positions;
             for (int v = first; v < end; v++)
+            {
                 Positions[v] = Normalized(from[v]);
+                origins[v] = v;
+            }
         });
     }
 
@@ -106,6 +113,13 @@ internal sealed class WorkingMesh
     public Vector3D Normalized(Vector3D position) => (position - Center) / Scale;
 
     public Vector3D Restored(Vector3D position) => position * Scale + Center;
+
+    /// <summary>The position of a vertex in model units; on an input vertex, that one's bits.</summary>
+    public Vector3D FinalPosition(int vertex, ReadOnlySpan<Vector3D> input)
+    {
+        int origin = origins[vertex];
+        return origin >= 0 ? input[origin] : Restored(Positions[vertex]);
+    }
 
     /// <summary>Whether contracting the edge of the half-edge keeps the surface a manifold of the same topology (连接条件): the ends have no common
     /// neighbours but the opposite vertices; no bridge between two borders, no border of three edges, no tetrahedron is lost.</summary>
@@ -218,7 +232,11 @@ internal sealed class WorkingMesh
         int leavingRight = RemoveSide(o, (merges & Merges.RightNextStays) != 0);
         States[h >> 1] = EdgeState.Deleted;
         Outgoing[u] = DeletedVertex;
-        Positions[v] = position;
+        if (position != Positions[v])
+        {
+            origins[v] = position == Positions[u] ? origins[u] : -1;
+            Positions[v] = position;
+        }
         int leaving = leavingRight >= 0 ? leavingRight : leavingLeft;
         Outgoing[v] = leaving;
         return leaving;

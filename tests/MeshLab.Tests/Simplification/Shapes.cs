@@ -1,4 +1,3 @@
-using System.IO.Compression;
 using MeshLab.Numerics;
 using MeshLab.Structure;
 
@@ -143,72 +142,5 @@ internal static class Shapes
             }
         }
         return components;
-    }
-
-    /// <summary>A public model: triangles (polygons are fanned), without unused vertices.</summary>
-    public static Mesh Public(string name)
-    {
-        string path = ReferenceData.ModelPath(name);
-        using Stream raw = File.OpenRead(path);
-        using Stream stream = path.EndsWith(".gz", StringComparison.Ordinal) ? new GZipStream(raw, CompressionMode.Decompress) : raw;
-        using var reader = new StreamReader(stream);
-        (List<Vector3D> positions, List<int> corners) = path.Contains(".off", StringComparison.Ordinal) ? ReadOff(reader) : ReadObj(reader);
-        var number = new int[positions.Count];
-        foreach (int v in corners)
-            number[v] = 1;
-        var used = new List<Vector3D>();
-        for (int v = 0; v < number.Length; v++)
-        {
-            if (number[v] == 0)
-                continue;
-            number[v] = used.Count;
-            used.Add(positions[v]);
-        }
-        return MeshBuilder.FromTriangles([.. used], [.. corners.Select(v => number[v])]);
-    }
-
-    private static (List<Vector3D>, List<int>) ReadObj(StreamReader reader)
-    {
-        var positions = new List<Vector3D>();
-        var corners = new List<int>();
-        while (reader.ReadLine() is { } line)
-        {
-            string[] words = line.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
-            if (words is ["v", ..])
-                positions.Add(Point(words, 1));
-            else if (words is ["f", ..])
-                Fan(corners, [.. words.Skip(1).Select(w => Integer(w.Split('/')[0]) - 1)]);
-        }
-        return (positions, corners);
-    }
-
-    private static (List<Vector3D>, List<int>) ReadOff(StreamReader reader)
-    {
-        var positions = new List<Vector3D>();
-        var corners = new List<int>();
-        string[] words = [.. reader.ReadToEnd().Split('\n').Select(l => l.Split('#')[0])
-            .SelectMany(l => l.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries)).Where(w => w is not ("OFF" or "COFF"))];
-        int vertices = Integer(words[0]), faces = Integer(words[1]), at = 3;
-        for (int v = 0; v < vertices; v++, at += 3)
-            positions.Add(Point(words, at));
-        for (int f = 0; f < faces; f++)
-        {
-            int degree = Integer(words[at]);
-            Fan(corners, [.. words.Skip(at + 1).Take(degree).Select(Integer)]);
-            at += degree + 1;
-        }
-        return (positions, corners);
-    }
-
-    private static Vector3D Point(string[] words, int at) => new(Number(words[at]), Number(words[at + 1]), Number(words[at + 2]));
-
-    private static double Number(string word) => double.Parse(word, System.Globalization.CultureInfo.InvariantCulture);
-
-    private static int Integer(string word) => int.Parse(word, System.Globalization.CultureInfo.InvariantCulture);
-
-    private static void Fan(List<int> corners, int[] face)
-    {
-        for (int i = 2; i < face.Length; i++)
-            corners.AddRange([face[0], face[i - 1], face[i]]);
     }
 }
