@@ -85,7 +85,7 @@ public struct Quadric : IEquatable<Quadric>
 
     /// <summary>Adds another quadric.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Add(in Quadric other)
+    public void Add(ref readonly Quadric other)
     {
         XX += other.XX;
         XY += other.XY;
@@ -101,7 +101,7 @@ public struct Quadric : IEquatable<Quadric>
 
     /// <summary>Adds a multiple of another quadric.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Add(in Quadric other, double factor)
+    public void Add(ref readonly Quadric other, double factor)
     {
         XX += factor * other.XX;
         XY += factor * other.XY;

@@ -73,8 +73,8 @@ internal sealed class TraitLog : CollapseLog
             vertices.Add((v, u, v, t));
         if (hasCornerTraits)
             MixCorners(mesh, h, t);
-        NoteMerge(mesh, h, (merges & Merges.LeftNextStays) != 0);
-        NoteMerge(mesh, h ^ 1, (merges & Merges.RightNextStays) != 0);
+        NoteMerge(mesh, h, (merges & Merges.LeftNextStays) != Merges.None);
+        NoteMerge(mesh, h ^ 1, (merges & Merges.RightNextStays) != Merges.None);
     }
 
     /// <summary>Does to the traits of a mesh with the same slots all that was written down, in order.</summary>

@@ -123,7 +123,7 @@ internal static class SpecialEdges
         foreach (int e in edges)
         {
             if ((uint)e >= (uint)mesh.EdgeSlots || mesh.IsDeletedEdge(e))
-                throw new ArgumentException($"The feature e{e} is not an edge of the mesh.", nameof(QuadricOptions.FeatureEdges));
+                throw new ArgumentException($"The feature e{e} is not an edge of the mesh.", nameof(edges));
             (special ??= new bool[mesh.EdgeSlots])[e] = true;
         }
     }

@@ -12,7 +12,7 @@ internal readonly struct Placement(WorkingMesh mesh, VertexPlacement placement)
 
     /// <summary>The best position for a quadric, and its cost there, never negative.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public double Choose(in Quadric quadric, int edge, int u, int v, out Vector3D position)
+    public double Choose(ref readonly Quadric quadric, int edge, int u, int v, out Vector3D position)
     {
         if (anywhere && quadric.TryMinimize(out position, out double cost))
             return cost > 0 ? cost : 0;
@@ -20,7 +20,7 @@ internal readonly struct Placement(WorkingMesh mesh, VertexPlacement placement)
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private double ChooseWithCare(in Quadric quadric, int edge, int u, int v, out Vector3D position)
+    private double ChooseWithCare(ref readonly Quadric quadric, int edge, int u, int v, out Vector3D position)
     {
         Vector3D a = mesh.Positions[u], b = mesh.Positions[v];
         Freedom freedom = mesh.Constraints?.FreedomOf(edge, u, v) ?? Freedom.Anywhere;
@@ -49,7 +49,7 @@ internal readonly struct Placement(WorkingMesh mesh, VertexPlacement placement)
     }
 
     /// <summary>The best of the midpoint and the ends, where the quadric has no unique minimum.</summary>
-    private static double BestOfThree(in Quadric quadric, Vector3D a, Vector3D b, out Vector3D position)
+    private static double BestOfThree(ref readonly Quadric quadric, Vector3D a, Vector3D b, out Vector3D position)
     {
         position = (a + b) * 0.5;
         double cost = quadric.At(position), costA = quadric.At(a), costB = quadric.At(b);

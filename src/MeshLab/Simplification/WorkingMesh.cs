@@ -228,8 +228,8 @@ internal sealed class WorkingMesh
         while (g != h);
         rows[o].Target = u;
 
-        int leavingLeft = RemoveSide(h, (merges & Merges.LeftNextStays) != 0);
-        int leavingRight = RemoveSide(o, (merges & Merges.RightNextStays) != 0);
+        int leavingLeft = RemoveSide(h, (merges & Merges.LeftNextStays) != Merges.None);
+        int leavingRight = RemoveSide(o, (merges & Merges.RightNextStays) != Merges.None);
         States[h >> 1] = EdgeState.Deleted;
         Outgoing[u] = DeletedVertex;
         if (position != Positions[v])
