@@ -98,6 +98,9 @@ public sealed partial class FaceTree
     /// <summary>The face a triangle of the tree belongs to.</summary>
     internal int FaceOfTriangle(int triangle) => _faceOf is null ? triangle : _faceOf[triangle];
 
+    /// <summary>The vertices of a triangle of the tree.</summary>
+    internal (int A, int B, int C) CornersOf(int triangle) => (_corners[3 * triangle], _corners[3 * triangle + 1], _corners[3 * triangle + 2]);
+
     /// <summary>Hashes the whole tree, so that tests can compare two of them.</summary>
     internal ulong Hash()
     {

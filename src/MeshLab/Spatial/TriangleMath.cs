@@ -50,8 +50,18 @@ public static class TriangleMath
         if (s > 0 && r > 0 && s + r < determinant)
         {
             double inverse = 1 / determinant, bs = s * inverse, br = r * inverse;
-            distance = (w - bs * u - br * v).LengthSquared;
+            Vector3D rest = w - bs * u - br * v;
+            distance = rest.LengthSquared;
             if (distance <= best)
+                (best, weights) = (distance, new(1 - bs - br, bs, br));
+
+            // Once more from what is left: the weights of slivers lose digits with the square of their thinness.
+            double ru = Vector3D.Dot(u, rest), rv = Vector3D.Dot(v, rest);
+            double ds = (vv * ru - uv * rv) * inverse, dr = (uu * rv - uv * ru) * inverse;
+            bs += ds;
+            br += dr;
+            distance = (rest - ds * u - dr * v).LengthSquared;
+            if (bs >= 0 && br >= 0 && bs + br <= 1 && distance <= best)
                 (best, weights) = (distance, new(1 - bs - br, bs, br));
         }
         return best;

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using MeshLab.Numerics;
 using MeshLab.Spatial;
 using MeshLab.Structure;
@@ -90,6 +91,19 @@ public class SelfIntersectionsTests
         Assert.Equal(5, tree.CastRay(new(-1, 0.3, 0.6), Vector3D.UnitX).Face);
         Assert.Equal([0, 2, 5], tree.FindInBox(new(default, default)));
         Assert.True(tree.Contains(new(0.5, 0.5, 0.5)));
+    }
+
+    [SkippableTheory]
+    [MemberData(nameof(ReferenceData.PublicModelCases), MemberType = typeof(ReferenceData))]
+    public void FindSelfIntersections_PublicModel_FindsWhatTheReferenceFinds(string name)
+    {
+        FacePair[] pairs = FaceTree.Build(ReferenceMesh.Load(name)).FindSelfIntersections();
+
+        JsonElement expected = ReferenceData.Json(name, "extras").RootElement.GetProperty("self_intersections").GetProperty("CGAL_does_self_intersect");
+        if (expected.ValueKind != JsonValueKind.Null)
+            Assert.Equal(expected.GetBoolean(), pairs.Length > 0);
+        // The numbers of CGAL 5.5.1.
+        Assert.Equal(name switch { "box_assembly" => 4665, "camelhead" => 5, "horse" => 4, _ => 0 }, pairs.Length);
     }
 
     [Fact]
