@@ -1,15 +1,15 @@
 using MeshLab.Numerics;
 using MeshLab.Structure;
 
-namespace MeshLab.Tests.Geometry;
+namespace MeshLab.Geometry;
 
-/// <summary>A smooth surface whose normals and curvatures are known at every point, and triangle meshes with their vertices on it.</summary>
-/// <param name="Name">For messages.</param>
+/// <summary>A smooth surface whose normals and curvatures are known at every point, and triangle meshes with their vertices on it: the measure for §10.4.5 and §10.7–10.8.</summary>
+/// <param name="Name">The surface's name.</param>
 /// <param name="Normal">The outward normal at a point, of any length.</param>
 /// <param name="Gaussian">K at a point.</param>
 /// <param name="Mean">H at a point, positive where the surface is convex.</param>
-/// <param name="Mesh">A mesh of about so many vertices per direction.</param>
-internal sealed record AnalyticSurface(
+/// <param name="Mesh">Makes a mesh of about so many vertices per direction (even, at least 4); twice the number halves the edges.</param>
+public sealed record AnalyticSurface(
     string Name, Func<Vector3D, Vector3D> Normal, Func<Vector3D, double> Gaussian, Func<Vector3D, double> Mean, Func<int, Mesh> Mesh)
 {
     /// <summary>The unit sphere as a subdivided octahedron, the triangles of unequal size.</summary>
@@ -47,8 +47,16 @@ internal sealed record AnalyticSurface(
             return new(Math.Cosh(z) * Math.Cos(a), Math.Cosh(z) * Math.Sin(a), z);
         }));
 
+    /// <summary>The larger principal curvature at a point, H + √(H² − K).</summary>
+    public double MaxCurvature(Vector3D point) => Mean(point) + Math.Sqrt(Math.Max(0, (Mean(point) * Mean(point)) - Gaussian(point)));
+
+    /// <summary>The smaller principal curvature at a point, H − √(H² − K).</summary>
+    public double MinCurvature(Vector3D point) => Mean(point) - Math.Sqrt(Math.Max(0, (Mean(point) * Mean(point)) - Gaussian(point)));
+
+    /// <summary>The four of them.</summary>
     public static IReadOnlyList<AnalyticSurface> All { get; } = [Sphere, Torus, Ellipsoid, Catenoid];
 
+    /// <summary>The name.</summary>
     public override string ToString() => Name;
 
     private static double Rho(Vector3D p) => Math.Sqrt((p.X * p.X) + (p.Y * p.Y));
