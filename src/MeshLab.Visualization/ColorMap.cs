@@ -54,7 +54,7 @@ public sealed class ColorMap
     public static IReadOnlyList<ColorMap> All { get; } = [Viridis, Magma, Cividis, Coolwarm, Cyclic, Gray];
 
     /// <summary>What a value that is not a number is painted with.</summary>
-    public static Color NotANumber { get; } = new(0.62f, 0.62f, 0.62f);
+    public static Color NotANumber { get; } = Color.FromBytes(158, 158, 158);
 
     /// <summary>The name in lower case, such as <c>viridis</c>.</summary>
     public string Name { get; }

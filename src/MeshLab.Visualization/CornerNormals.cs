@@ -9,6 +9,8 @@ namespace MeshLab.Visualization;
 /// </summary>
 internal static class CornerNormals
 {
+    private const int MostPairs = 400;
+
     /// <summary>Unit normals of all triangles; zero for one without area.</summary>
     public static Vector3[] OfTriangles(RenderGeometry g, int maxThreads)
     {
@@ -37,21 +39,31 @@ internal static class CornerNormals
             for (int v = from; v < to; v++)
             {
                 ReadOnlySpan<int> around = corners.AsSpan(start[v]..start[v + 1]);
+                // Every pair of triangles around a vertex of a huge fan would be too many: there the mean of all stands for the pairs.
+                Vector3 all = around.Length > MostPairs ? Sum(around, triangleNormals, angle, default, -2) : default;
                 foreach (int corner in around)
                 {
-                    Vector3 own = triangleNormals[corner / 3], sum = default;
-                    foreach (int other in around)
-                    {
-                        Vector3 n = triangleNormals[other / 3];
-                        if (Vector3.Dot(own, n) >= limit)
-                            sum += n * angle[other];
-                    }
+                    Vector3 own = triangleNormals[corner / 3];
+                    Vector3 sum = around.Length <= MostPairs ? Sum(around, triangleNormals, angle, own, limit)
+                        : Vector3.Dot(own, all) >= limit * all.Length() ? all : own;
                     float length = sum.Length();
                     result[corner] = length > 1e-6f ? sum / length : own;
                 }
             }
         });
         return result;
+    }
+
+    private static Vector3 Sum(ReadOnlySpan<int> around, Vector3[] normals, float[] angle, Vector3 own, float limit)
+    {
+        Vector3 sum = default;
+        foreach (int other in around)
+        {
+            Vector3 n = normals[other / 3];
+            if (Vector3.Dot(own, n) >= limit)
+                sum += n * angle[other];
+        }
+        return sum;
     }
 
     private static int[] CornersAround(RenderGeometry g, out int[] corners)

@@ -103,7 +103,7 @@ public sealed class HtmlPage
         h2 .number { color: var(--accent); margin-right: .45em; font-variant-numeric: tabular-nums; }
         h2 .second { color: var(--soft); font-weight: 400; font-size: 17px; margin-left: .6em; }
         p { margin: 8px 0; max-width: 78ch; }
-        .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 18px; margin: 14px 0; align-items: start; }
+        .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); gap: 18px; margin: 14px 0; align-items: start; }
         .figure { margin: 0; min-width: 0; }
         .figure img, .figure .model { display: block; width: 100%; height: auto; border: 1px solid var(--line); border-radius: 10px; background: #fff; }
         .figure .model { position: relative; aspect-ratio: 9 / 7; overflow: hidden; }

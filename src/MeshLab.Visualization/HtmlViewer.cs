@@ -70,6 +70,7 @@ public static class HtmlViewer
             ["size"] = Numbers(box.Size.X, box.Size.Y, box.Size.Z),
             ["center"] = Numbers(box.Center.X, box.Center.Y, box.Center.Z),
             ["radius"] = radius > 0 ? radius : 1,
+            ["edgeLength"] = MedianEdge(geometry),
             ["azimuth"] = options.View.Azimuth,
             ["elevation"] = options.View.Elevation,
             ["yUp"] = options.View.Up == UpAxis.Y,
@@ -82,6 +83,20 @@ public static class HtmlViewer
             ["wireColor"] = Numbers(options.WireframeColor.R, options.WireframeColor.G, options.WireframeColor.B, options.WireframeColor.A),
             ["ramp"] = Convert.ToBase64String(Ramp(options.Coloring.Map)),
         };
+    }
+
+    // Of at most a thousand edges spread over all.
+    private static double MedianEdge(RenderGeometry g)
+    {
+        int count = g.Edges.Length / 2, stride = Math.Max(1, count / 1000);
+        var lengths = new List<double>();
+        for (int e = 0; e < count; e += stride)
+        {
+            if (g.Edges[2 * e] >= 0)
+                lengths.Add(Vector3D.Distance(g.Positions[g.Edges[2 * e]], g.Positions[g.Edges[2 * e + 1]]));
+        }
+        lengths.Sort();
+        return lengths.Count == 0 ? 0 : lengths[lengths.Count / 2];
     }
 
     private static JsonArray Numbers(params double[] values) => [.. values.Select(value => (JsonNode)value)];
