@@ -88,18 +88,22 @@ internal sealed class GenerateVerb : Verb
 
     private static void List(VerbContext context)
     {
-        context.Result.Add("kinds", ShapeCatalog.Shapes.Select(shape => new ResultFields()
-            .Add("kind", shape.Name)
-            .Add("section", shape.Section)
-            .Add("chineseName", shape.ChineseName)
-            .Add("description", shape.Description)
-            .Add("parameters", shape.Parameters.Select(p => new ResultFields()
-                .Add("name", p.Name)
-                .Add("description", p.Description)
-                .Add("default", p.Default)
-                .Add("minimum", p.Minimum)
-                .Add("maximum", p.Maximum)
-                .Add("integer", p.IsInteger)))));
+        if (context.Json)
+        {
+            context.Result.Add("kinds", ShapeCatalog.Shapes.Select(shape => new ResultFields()
+                .Add("kind", shape.Name)
+                .Add("section", shape.Section)
+                .Add("chineseName", shape.ChineseName)
+                .Add("description", shape.Description)
+                .Add("parameters", shape.Parameters.Select(p => new ResultFields()
+                    .Add("name", p.Name)
+                    .Add("description", p.Description)
+                    .Add("default", p.Default)
+                    .Add("minimum", p.Minimum)
+                    .Add("maximum", p.Maximum)
+                    .Add("integer", p.IsInteger)))));
+            return;
+        }
         context.Table(
             "Shapes",
             ["kind", "section", "中文", "what", "options"],

@@ -1,0 +1,22 @@
+using MeshLab.Demos.Hosting;
+using MeshLab.Structure;
+
+namespace MeshLab.Demos.Chapter02;
+
+/// <summary>What the demos of chapter 2 show of each shape.</summary>
+internal static class ShapeTable
+{
+    public static void Show(DemoOutput output, string title, params (string Name, Mesh Mesh)[] shapes)
+    {
+        output.Table(
+            title,
+            ["shape", "V", "E", "F", "V − E + F", "closed"],
+            shapes.Select(shape => new object[]
+            {
+                shape.Name, shape.Mesh.Vertices.Count, shape.Mesh.Edges.Count, shape.Mesh.Faces.Count,
+                shape.Mesh.Vertices.Count - shape.Mesh.Edges.Count + shape.Mesh.Faces.Count, shape.Mesh.IsClosed ? "yes" : "no",
+            }));
+        foreach ((string name, Mesh mesh) in shapes)
+            output.Picture(name, mesh);
+    }
+}
