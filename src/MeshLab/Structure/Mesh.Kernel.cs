@@ -45,6 +45,14 @@ public sealed partial class Mesh
         return new OperationScope(this);
     }
 
+    /// <summary>As <see cref="BeginOperation"/>, but recorded even when nobody listens, so that leaving it without completion takes everything back.</summary>
+    internal OperationScope BeginReversibleOperation(OperationKind kind, int element = -1)
+    {
+        if (operationDepth++ == 0)
+            journal = new Journal(this, kind, element);
+        return new OperationScope(this);
+    }
+
     internal void EndOperation(bool completed)
     {
         if (--operationDepth > 0)

@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using System.Runtime.CompilerServices;
 
 namespace MeshLab.Structure;
 
@@ -118,17 +119,21 @@ public sealed partial class Mesh
     };
 
     /// <summary>Gives an element the traits of another.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void CopyTraits(ElementKind kind, int from, int to)
     {
-        foreach (Trait trait in TraitsOf(kind))
-            trait.Copy(from, to);
+        List<Trait> traits = TraitsOf(kind);
+        for (int i = 0; i < traits.Count; i++)
+            traits[i].Copy(from, to);
     }
 
     /// <summary>Gives an element the blend of the traits of two others.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void MixTraits(ElementKind kind, int to, int first, int second, double t)
     {
-        foreach (Trait trait in TraitsOf(kind))
-            trait.Mix(to, first, second, t);
+        List<Trait> traits = TraitsOf(kind);
+        for (int i = 0; i < traits.Count; i++)
+            traits[i].Mix(to, first, second, t);
     }
 
     internal int SlotsOf(ElementKind kind) => kind switch

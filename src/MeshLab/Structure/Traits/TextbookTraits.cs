@@ -41,7 +41,7 @@ public static class TraitNames
 
 /// <summary>The textbook's class VertexTraits (顶点属性) as a view over columns; a column exists from the first value written.</summary>
 /// <param name="vertex">The vertex.</param>
-public readonly struct VertexTraits(Vertex vertex)
+public sealed class VertexTraits(Vertex vertex)
 {
     /// <summary>The position (位置).</summary>
     public Vector3D Position
@@ -126,7 +126,7 @@ public readonly struct VertexTraits(Vertex vertex)
 
 /// <summary>The textbook's class HalfEdgeTraits (半边属性) as a view over columns: the corner at the half-edge's target.</summary>
 /// <param name="halfEdge">The half-edge.</param>
-public readonly struct HalfEdgeTraits(HalfEdge halfEdge)
+public sealed class HalfEdgeTraits(HalfEdge halfEdge)
 {
     /// <summary>The corner's texture coordinate (纹理坐标).</summary>
     public Vector2D TextureCoordinate
@@ -148,7 +148,7 @@ public readonly struct HalfEdgeTraits(HalfEdge halfEdge)
 
 /// <summary>The textbook's class EdgeTraits (边属性) as a view over columns.</summary>
 /// <param name="edge">The edge.</param>
-public readonly struct EdgeTraits(Edge edge)
+public sealed class EdgeTraits(Edge edge)
 {
     /// <summary>The colour (颜色).</summary>
     public Color Color
@@ -167,7 +167,7 @@ public readonly struct EdgeTraits(Edge edge)
 
 /// <summary>The textbook's class FaceTraits (面属性) as a view over columns.</summary>
 /// <param name="face">The face.</param>
-public readonly struct FaceTraits(Face face)
+public sealed class FaceTraits(Face face)
 {
     /// <summary>The normal (法向).</summary>
     public Vector3D Normal
@@ -193,7 +193,7 @@ public readonly struct FaceTraits(Face face)
 
 /// <summary>The textbook's class MeshTraits (模型属性): computed from the positions when asked. O(V).</summary>
 /// <param name="mesh">The mesh.</param>
-public readonly struct MeshTraits(Mesh mesh)
+public sealed class MeshTraits(Mesh mesh)
 {
     /// <summary>The axis-parallel box (包围盒).</summary>
     public BoundingBox BoundingBox => mesh.BoundingBox;

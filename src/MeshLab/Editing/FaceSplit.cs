@@ -1,0 +1,109 @@
+using MeshLab.Numerics;
+using MeshLab.Structure;
+
+namespace MeshLab.Editing;
+
+/// <summary>§4 面分割 (face split): puts a vertex into a face and joins it to every corner, 1 → n.</summary>
+/// <remarks>
+/// <code>
+///        c                  c
+///      /   \              / │ \
+///     /     \     ⟶      /  m  \
+///    /       \          / /   \ \
+///   a ─ h ─→ b         a ─ h ─→ b
+/// </code>
+/// The face keeps its index with the triangle at its first half-edge <c>h</c>; the other triangles follow counter-clockwise. Any live face can
+/// be split, so there is nothing to refuse. Traits: the new faces get copies of the face's; <c>m</c> and its corners get blends of all corners,
+/// one after the other with equal weight; the new edges the default. Cost: O(degree).
+/// </remarks>
+public static class FaceSplit
+{
+    extension(Face face)
+    {
+        /// <summary>Puts a vertex at the mean of the face's vertices.</summary>
+        /// <returns>The new vertex.</returns>
+        /// <exception cref="ArgumentException">The face is none or deleted.</exception>
+        public Vertex Split()
+        {
+            face.ThrowIfDead();
+            Vector3D sum = default;
+            int degree = 0;
+            HalfEdge h = face.HalfEdge;
+            do
+            {
+                sum += h.Target.Position;
+                degree++;
+                h = h.Next;
+            }
+            while (h != face.HalfEdge);
+            return Apply(face, sum / degree);
+        }
+
+        /// <summary>Puts a vertex into the face.</summary>
+        /// <param name="position">Where.</param>
+        /// <returns>The new vertex.</returns>
+        /// <exception cref="ArgumentException">The face is none or deleted, or the position is not finite.</exception>
+        public Vertex Split(Vector3D position)
+        {
+            face.ThrowIfDead();
+            position.ThrowIfNotFinite(nameof(position));
+            return Apply(face, position);
+        }
+    }
+
+    private static Vertex Apply(Face face, Vector3D position)
+    {
+        Mesh mesh = face.Mesh;
+        using OperationScope operation = mesh.BeginOperation(OperationKind.FaceSplit, face.Index);
+        Vertex m = mesh.NewVertex(position);
+        HalfEdge first = face.HalfEdge, last = first.Previous;
+        HalfEdge firstSpoke = mesh.NewEdge(first.Source, m);
+        BlendCorners(mesh, first, m, firstSpoke);
+
+        // Each side closes its triangle with the spoke from its end to m and the one from m back to its start.
+        HalfEdge side = first, before = last, fromStart = firstSpoke;
+        do
+        {
+            HalfEdge next = side.Next;
+            HalfEdge fromEnd = side == last ? firstSpoke : NewSpoke(mesh, side.Target, m, firstSpoke);
+            Face triangle = side == first ? face : NewFaceLike(mesh, face);
+            mesh.CopyTraits(ElementKind.HalfEdge, before.Index, fromStart.Twin.Index);
+            mesh.LinkTriangle(triangle, side, fromEnd, fromStart.Twin);
+            (before, side, fromStart) = (side, next, fromEnd);
+        }
+        while (side != first);
+        mesh.SetOutgoing(m, firstSpoke.Twin);
+        operation.Complete();
+        return m;
+    }
+
+    private static HalfEdge NewSpoke(Mesh mesh, Vertex corner, Vertex m, HalfEdge like)
+    {
+        HalfEdge spoke = mesh.NewEdge(corner, m);
+        mesh.CopyTraits(ElementKind.HalfEdge, like.Index, spoke.Index);
+        return spoke;
+    }
+
+    private static Face NewFaceLike(Mesh mesh, Face face)
+    {
+        Face f = mesh.NewFace();
+        mesh.CopyTraits(ElementKind.Face, face.Index, f.Index);
+        return f;
+    }
+
+    /// <summary>Gives m, and the first corner at it, the mean of all corners of the face, added one by one.</summary>
+    private static void BlendCorners(Mesh mesh, HalfEdge first, Vertex m, HalfEdge spoke)
+    {
+        if (mesh.VertexTraits.Count + mesh.HalfEdgeTraits.Count == 0)
+            return;
+        mesh.CopyTraits(ElementKind.Vertex, first.Target.Index, m.Index);
+        mesh.CopyTraits(ElementKind.HalfEdge, first.Index, spoke.Index);
+        int count = 1;
+        for (HalfEdge h = first.Next; h != first; h = h.Next)
+        {
+            double weight = 1.0 / ++count;
+            mesh.MixTraits(ElementKind.Vertex, m.Index, m.Index, h.Target.Index, weight);
+            mesh.MixTraits(ElementKind.HalfEdge, spoke.Index, spoke.Index, h.Index, weight);
+        }
+    }
+}
