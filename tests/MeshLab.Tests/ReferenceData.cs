@@ -93,7 +93,12 @@ internal static class ReferenceData
 
     /// <summary>A number of a document; non-finite ones are stored as the strings NaN, Infinity and -Infinity.</summary>
     public static double Number(JsonElement value) => value.ValueKind == JsonValueKind.String
-        ? double.Parse(value.GetString()!, System.Globalization.CultureInfo.InvariantCulture)
+        ? value.GetString() switch
+        {
+            "inf" => double.PositiveInfinity,
+            "-inf" => double.NegativeInfinity,
+            var text => double.Parse(text!, System.Globalization.CultureInfo.InvariantCulture),
+        }
         : value.GetDouble();
 
     /// <summary>A flat array of numbers of a document; arrays within it are joined.</summary>

@@ -97,6 +97,8 @@ public sealed class CholeskyAnalysis
     internal void ThrowIfOtherPattern(SparseMatrix matrix, string name)
     {
         ArgumentNullException.ThrowIfNull(matrix, name);
+        if (!matrix.IsSymmetric)
+            throw new ArgumentException("Only symmetric matrices have a Cholesky factor.", name);
         if (!matrix.HasPatternOf(rowStart, columns))
             throw new ArgumentException("The matrix has entries in other places than the one that was analysed.", name);
     }

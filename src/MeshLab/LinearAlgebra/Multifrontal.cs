@@ -171,7 +171,7 @@ internal sealed unsafe class Multifrontal<TVector, TLanes>
                 for (int k = 0; k < rowRanks.Length; k++)
                 {
                     if (rowRanks[k] > rank)
-                        column[placeOf[rowRanks[k]]] = rowValues[k];
+                        column[placeOf[rowRanks[k]]] += rowValues[k];
                 }
             }
         }

@@ -2,14 +2,17 @@ using MeshLab.Numerics;
 
 namespace MeshLab.LinearAlgebra;
 
-/// <summary>A symmetric sparse matrix (对称稀疏矩阵): the diagonal, and by rows the other entries of both triangles.</summary>
+/// <summary>A sparse matrix with entries in symmetric places (稀疏矩阵): the diagonal, and by rows the other entries of both triangles.</summary>
 /// <remarks>
 /// <para>
 /// Row i holds the columns <c>Columns[RowStart[i] .. RowStart[i + 1]]</c> and as many values; the diagonal lies apart. Both a_ij and a_ji are
 /// stored, which doubles the memory of half storage, but a row then knows all its neighbours as a vertex does: a product needs no scattered
 /// writes, runs in parallel, and adds in the same order always.
 /// </para>
-/// <para>The order of columns within a row is free and kept. The values may be changed in place; keep both triangles equal.</para>
+/// <para>
+/// The order of columns within a row is free and kept. The values may be changed in place; keep both triangles equal if <see cref="IsSymmetric"/>.
+/// The one matrix here whose values are not symmetric is the mean-value Laplacian.
+/// </para>
 /// </remarks>
 public sealed class SparseMatrix
 {
@@ -18,8 +21,9 @@ public sealed class SparseMatrix
     private readonly double[] values;
     private readonly double[] diagonal;
 
-    internal SparseMatrix(int[] rowStart, int[] columns, double[] values, double[] diagonal)
+    internal SparseMatrix(int[] rowStart, int[] columns, double[] values, double[] diagonal, bool isSymmetric = true)
     {
+        IsSymmetric = isSymmetric;
         this.rowStart = rowStart;
         this.columns = columns;
         this.values = values;
@@ -28,6 +32,9 @@ public sealed class SparseMatrix
 
     /// <summary>The number of rows, and of columns.</summary>
     public int Size => diagonal.Length;
+
+    /// <summary>Whether a_ij = a_ji.</summary>
+    public bool IsSymmetric { get; }
 
     /// <summary>The number of stored entries, the diagonal and both triangles.</summary>
     public int NonZeros => diagonal.Length + columns.Length;
@@ -79,9 +86,8 @@ public sealed class SparseMatrix
         ArgumentOutOfRangeException.ThrowIfNegative(size);
         ArgumentNullException.ThrowIfNull(entries);
         var diagonal = new double[size];
-        var rows = new List<(int Column, double Value)>[size];
-        for (int i = 0; i < size; i++)
-            rows[i] = [];
+        var list = new List<(int Row, int Column, double Value)>();
+        var end = new int[size + 1];
         foreach ((int row, int column, double value) in entries)
         {
             if ((uint)row >= (uint)size || (uint)column >= (uint)size)
@@ -91,29 +97,48 @@ public sealed class SparseMatrix
                 diagonal[row] += value;
                 continue;
             }
-            rows[row].Add((column, value));
-            rows[column].Add((row, value));
+            list.Add((row, column, value));
+            end[row + 1]++;
+            end[column + 1]++;
         }
+        for (int i = 0; i < size; i++)
+            end[i + 1] += end[i];
 
+        // Deal the entries out to the rows in the order given …
+        var columns = new int[end[size]];
+        var values = new double[columns.Length];
+        int[] next = end[..size];
+        foreach ((int row, int column, double value) in list)
+        {
+            (columns[next[row]], values[next[row]++]) = (column, value);
+            (columns[next[column]], values[next[column]++]) = (row, value);
+        }
+        return AddSamePlaces(end, columns, values, diagonal);
+    }
+
+    // … and add those of the same place.
+    private static SparseMatrix AddSamePlaces(int[] end, int[] columns, double[] values, double[] diagonal)
+    {
+        int size = diagonal.Length, count = 0;
         var rowStart = new int[size + 1];
-        var columns = new List<int>();
-        var values = new List<double>();
+        var place = new int[size];
+        Array.Fill(place, -1);
         for (int i = 0; i < size; i++)
         {
-            // A stable sort, so that equal places are added in the order given.
-            foreach ((int column, double value) in rows[i].OrderBy(entry => entry.Column))
+            for (int k = end[i]; k < end[i + 1]; k++)
             {
-                if (columns.Count > rowStart[i] && columns[^1] == column)
+                int j = columns[k];
+                if (place[j] >= rowStart[i])
                 {
-                    values[^1] += value;
+                    values[place[j]] += values[k];
                     continue;
                 }
-                columns.Add(column);
-                values.Add(value);
+                place[j] = count;
+                (columns[count], values[count++]) = (j, values[k]);
             }
-            rowStart[i + 1] = columns.Count;
+            rowStart[i + 1] = count;
         }
-        return new SparseMatrix(rowStart, [.. columns], [.. values], diagonal);
+        return new SparseMatrix(rowStart, columns[..count], values[..count], diagonal);
     }
 
     /// <summary>A diagonal matrix.</summary>
@@ -121,7 +146,7 @@ public sealed class SparseMatrix
     public static SparseMatrix FromDiagonal(ReadOnlySpan<double> diagonal) => new(new int[diagonal.Length + 1], [], [], diagonal.ToArray());
 
     /// <summary>A copy that shares nothing with this matrix.</summary>
-    public SparseMatrix Clone() => new((int[])rowStart.Clone(), (int[])columns.Clone(), (double[])values.Clone(), (double[])diagonal.Clone());
+    public SparseMatrix Clone() => new((int[])rowStart.Clone(), (int[])columns.Clone(), (double[])values.Clone(), (double[])diagonal.Clone(), IsSymmetric);
 
     /// <summary>y = A x.</summary>
     /// <param name="x">The vector.</param>
@@ -185,7 +210,7 @@ public sealed class SparseMatrix
         for (int k = 0; k < scaled.Length; k++)
             scaled[k] = factor * values[k];
         if (other.columns.Length == 0)
-            return new SparseMatrix(rowStart, columns, scaled, sum);
+            return new SparseMatrix(rowStart, columns, scaled, sum, IsSymmetric);
         return Merge(other, scaled, sum);
     }
 
@@ -197,39 +222,53 @@ public sealed class SparseMatrix
         if (newIndex.Length != Size)
             throw new ArgumentException($"{newIndex.Length} numbers for {Size} rows.", nameof(newIndex));
         ArgumentOutOfRangeException.ThrowIfNegative(size);
-        var start = new int[size + 1];
-        var kept = new double[size];
-        int rows = 0, count = 0;
+        var oldRow = new int[size];
+        int rows = 0;
         for (int i = 0; i < Size; i++)
         {
             if (newIndex[i] < 0)
                 continue;
-            if (newIndex[i] != rows)
-                throw new ArgumentException($"Row {i} has the new number {newIndex[i]}, expected {rows}.", nameof(newIndex));
-            foreach (int j in columns.AsSpan(rowStart[i], rowStart[i + 1] - rowStart[i]))
-                count += newIndex[j] >= 0 ? 1 : 0;
-            kept[rows] = diagonal[i];
-            start[++rows] = count;
+            if (newIndex[i] != rows || rows == size)
+                throw new ArgumentException($"Row {i} has the new number {newIndex[i]}, expected {rows} of {size}.", nameof(newIndex));
+            oldRow[rows++] = i;
         }
         if (rows != size)
             throw new ArgumentException($"{rows} rows are kept, expected {size}.", nameof(size));
+        if (rows == Size)
+            return Clone();
 
-        var column = new int[count];
-        var value = new double[count];
-        int at = 0;
-        for (int i = 0; i < Size; i++)
+        var start = new int[size + 1];
+        int[] number = newIndex.ToArray();
+        Parallelism.ForBlocks(size, (from, to) =>
         {
-            if (newIndex[i] < 0)
-                continue;
-            for (int k = rowStart[i]; k < rowStart[i + 1]; k++)
+            for (int i = from; i < to; i++)
             {
-                if (newIndex[columns[k]] < 0)
-                    continue;
-                column[at] = newIndex[columns[k]];
-                value[at++] = values[k];
+                for (int k = rowStart[oldRow[i]]; k < rowStart[oldRow[i] + 1]; k++)
+                    start[i + 1] += number[columns[k]] >= 0 ? 1 : 0;
             }
-        }
-        return new SparseMatrix(start, column, value, kept);
+        });
+        for (int i = 0; i < size; i++)
+            start[i + 1] += start[i];
+
+        var column = new int[start[size]];
+        var value = new double[column.Length];
+        var kept = new double[size];
+        Parallelism.ForBlocks(size, (from, to) =>
+        {
+            for (int i = from; i < to; i++)
+            {
+                kept[i] = diagonal[oldRow[i]];
+                int at = start[i];
+                for (int k = rowStart[oldRow[i]]; k < rowStart[oldRow[i] + 1]; k++)
+                {
+                    if (number[columns[k]] < 0)
+                        continue;
+                    column[at] = number[columns[k]];
+                    value[at++] = values[k];
+                }
+            }
+        });
+        return new SparseMatrix(start, column, value, kept, IsSymmetric);
     }
 
     internal bool HasPatternOf(int[] otherRowStart, int[] otherColumns) =>
@@ -272,6 +311,6 @@ public sealed class SparseMatrix
             }
             start[i + 1] = column.Count;
         }
-        return new SparseMatrix(start, [.. column], [.. value], sum);
+        return new SparseMatrix(start, [.. column], [.. value], sum, IsSymmetric && other.IsSymmetric);
     }
 }
