@@ -119,12 +119,16 @@ public sealed record RenderOptions
     /// <summary>How normals are chosen.</summary>
     public Shading Shading { get; init; } = Shading.Smooth;
 
-    /// <summary>Degrees between face normals beyond which <see cref="Shading.Smooth"/> shows an edge; 180 smooths everything.</summary>
-    public double CreaseAngle
+    /// <summary>
+    /// Degrees between face normals beyond which <see cref="Shading.Smooth"/> shows an edge; 180 smooths everything. If none is given,
+    /// 40, and 60 for more than 30,000 triangles, where steps of that size are mostly the scanner's noise.
+    /// </summary>
+    public double? CreaseAngle
     {
         get;
-        init => field = value is >= 0 and <= 180 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "An angle is 0 to 180 degrees.");
-    } = 40;
+        init => field = value is null or (>= 0 and <= 180)
+            ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "An angle is 0 to 180 degrees.");
+    }
 
     /// <summary>How the surface is coloured.</summary>
     public Coloring Coloring { get; init => field = NotNull(value); } = Coloring.Default;
@@ -189,6 +193,8 @@ public sealed record RenderOptions
         get;
         init => field = value is -1 or > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "A number of threads is −1 or positive.");
     } = -1;
+
+    internal double CreaseAngleFor(int triangles) => CreaseAngle ?? (triangles > 30_000 ? 60 : 40);
 
     private static int Between(int value, int low, int high) =>
         value >= low && value <= high ? value : throw new ArgumentOutOfRangeException(nameof(value), value, $"The value must be {low} to {high}.");

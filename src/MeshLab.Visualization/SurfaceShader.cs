@@ -9,11 +9,11 @@ namespace MeshLab.Visualization;
 /// </summary>
 internal sealed class SurfaceShader
 {
-    private static readonly Vector3 Key = Vector3.Normalize(new(-0.42f, 0.62f, 0.72f));
+    private static readonly Vector3 Key = Vector3.Normalize(new(-0.52f, 0.66f, 0.58f));
     private static readonly Vector3 Fill = Vector3.Normalize(new(0.85f, 0.10f, 0.55f));
     private static readonly Vector3 Rim = Vector3.Normalize(new(0.25f, 0.55f, -0.80f));
-    private static readonly Vector3 KeyLight = new(0.64f, 0.63f, 0.61f);
-    private static readonly Vector3 FillLight = new(0.19f, 0.20f, 0.22f);
+    private static readonly Vector3 KeyLight = new(0.68f, 0.67f, 0.65f);
+    private static readonly Vector3 FillLight = new(0.15f, 0.16f, 0.18f);
     private static readonly Vector3 RimLight = new(0.12f, 0.125f, 0.135f);
     private static readonly Vector3 SkyLight = new(0.43f, 0.44f, 0.455f);
     private static readonly Vector3 FloorLight = new(0.20f, 0.19f, 0.18f);
@@ -42,7 +42,7 @@ internal sealed class SurfaceShader
         colors = new(geometry, options.Coloring);
         int threads = options.MaxDegreeOfParallelism;
         triangleNormals = CornerNormals.OfTriangles(geometry, threads);
-        cornerNormals = shading == Shading.Smooth ? CornerNormals.Smooth(geometry, triangleNormals, options.CreaseAngle, threads) : null;
+        cornerNormals = shading == Shading.Smooth ? CornerNormals.Smooth(geometry, triangleNormals, options.CreaseAngleFor(geometry.TriangleCount), threads) : null;
         up = camera.DirectionToView(Camera.WorldUp(options.View));
         (right, top, back) = ((Vector3)camera.Right, (Vector3)camera.Up, (Vector3)camera.Back);
         backTint = Oklab.ToLinear(options.BackFaceColor);

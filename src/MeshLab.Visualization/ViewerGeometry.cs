@@ -67,7 +67,7 @@ internal sealed class ViewerGeometry
         RenderGeometry g = geometry;
         Coloring coloring = options.Coloring;
         int threads = options.MaxDegreeOfParallelism;
-        Vector3[] normals = CornerNormals.Smooth(g, CornerNormals.OfTriangles(g, threads), options.CreaseAngle, threads);
+        Vector3[] normals = CornerNormals.Smooth(g, CornerNormals.OfTriangles(g, threads), options.CreaseAngleFor(geometry.TriangleCount), threads);
         var triangles = new int[g.Triangles.Length];
         firstOf = new int[g.Positions.Length];
         Array.Fill(firstOf, -1);
