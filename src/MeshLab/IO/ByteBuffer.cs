@@ -15,6 +15,8 @@ internal sealed class ByteBuffer
 
     public ReadOnlyMemory<byte> Written => bytes.AsMemory(0, Length);
 
+    public bool IsAtLineStart => Length == 0 || bytes[Length - 1] == '\n';
+
     public void Clear() => Length = 0;
 
     public void Append(byte value)

@@ -29,7 +29,7 @@ internal static class DecimalParser
     /// <param name="text">The text; it may go on after the number.</param>
     /// <param name="value">The number; infinite if it is larger than any double.</param>
     /// <param name="length">How many bytes it takes.</param>
-    /// <returns>False if no number stands there, or if something other than white space or the end follows it.</returns>
+    /// <returns>False if no number stands there, or if something other than white space, a backslash or the end follows it.</returns>
     public static bool TryParse(ReadOnlySpan<byte> text, out double value, out int length)
     {
         int i = 0;
@@ -66,7 +66,7 @@ internal static class DecimalParser
             length = i;
         }
 
-        if ((uint)i < (uint)text.Length && text[i] > ' ')
+        if ((uint)i < (uint)text.Length && text[i] > ' ' && text[i] != '\\')
             return false;
         // More digits may have overflowed w; leading zeros count here too, which only costs time.
         if (digits > 19 || !TryScale(w, q, out value))

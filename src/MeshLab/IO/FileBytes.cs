@@ -1,5 +1,4 @@
 using System.IO.Compression;
-using MeshLab.Numerics;
 
 namespace MeshLab.IO;
 
@@ -7,6 +6,9 @@ namespace MeshLab.IO;
 internal static class FileBytes
 {
     private const int BlockBytes = 1 << 21;
+
+    // A header of 10 bytes and a trailer of 8: checksum and length.
+    private const int LeastPackedBytes = 18;
 
     public static ReadOnlyMemory<byte> Read(string path, ReadContext context)
     {
@@ -34,8 +36,9 @@ internal static class FileBytes
 
         byte[] bytes = GC.AllocateUninitializedArray<byte>((int)stream.Length);
         int missing = 0;
-        Parallelism.ForBlocks(bytes.Length, BlockBytes, (from, to) =>
+        OrderedTasks.Run((bytes.Length - 1) / BlockBytes + 1, block =>
         {
+            int from = block * BlockBytes, to = (int)Math.Min(bytes.Length, (long)from + BlockBytes);
             while (from < to)
             {
                 int read = RandomAccess.Read(stream.SafeFileHandle, bytes.AsSpan(from..to), from);
@@ -76,16 +79,13 @@ internal static class FileBytes
     {
         if (!IsGzip(packed.Span))
             throw context.BinaryError(0, packed.IsEmpty ? "an empty file" : "other bytes", "data packed by gzip");
+        if (packed.Length < LeastPackedBytes)
+            throw context.BinaryError(packed.Length, "the end of the file", "data packed by gzip");
         try
         {
             using MemoryStream source = new(packed.ToArray(), writable: false);
             using GZipStream stream = new(source, CompressionMode.Decompress);
-            ReadOnlyMemory<byte> bytes = ReadToEnd(stream, 4L * packed.Length, context);
-            // The last four bytes repeat the length of the (last) packed part; fewer bytes than that means that the end is missing.
-            uint announced = System.Buffers.Binary.BinaryPrimitives.ReadUInt32LittleEndian(packed.Span[^4..]);
-            if ((uint)bytes.Length < announced && bytes.Length < announced)
-                throw context.BinaryError(packed.Length, "the end of the packed data", $"{announced} unpacked bytes instead of {bytes.Length}");
-            return bytes;
+            return ReadToEnd(stream, 4L * packed.Length, context);
         }
         catch (InvalidDataException error)
         {

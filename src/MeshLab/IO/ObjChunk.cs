@@ -81,7 +81,7 @@ internal sealed class ObjChunk
     public int FirstIgnoredPosition { get; private set; } = -1;
 
     /// <summary>The numbers of vertices, texture coordinates and normals of the whole file if they are known: then every index is checked where it stands.</summary>
-    public (int Vertices, int TextureCoordinates, int Normals)? Limits { get; init; }
+    public (int Vertices, int? TextureCoordinates, int? Normals)? Limits { get; init; }
 
     /// <summary>Reads the lines from one byte to another.</summary>
     public void Read(ReadOnlySpan<byte> text, int from, int to, bool reports)
@@ -182,7 +182,7 @@ internal sealed class ObjChunk
             corners.Add(index);
             if (scanner.Current == '/')
                 ReadCornerAttributes(ref scanner);
-            if (scanner.Current > ' ')
+            if (scanner.Current > ' ' && scanner.Current != '\\')
                 throw scanner.Error("a blank or the end of the line");
         }
 

@@ -11,7 +11,7 @@ namespace MeshLab.IO;
 /// o  g  s  usemtl              name the faces that follow
 /// #                            comment; \ at a line's end joins the next line
 /// </code>
-/// An index may name a vertex that comes later in the file. Lines that begin otherwise are counted and left out.
+/// An index may name a vertex that comes later in the file; indices of texture coordinates and normals are left out if the file has none at all. Lines that begin otherwise are counted and left out.
 /// A long file is cut at line ends into stretches, one per thread, that are joined afterwards: the result is the same, and so is the error, which is the
 /// first one of the file. Linear time.
 /// </remarks>
@@ -101,7 +101,11 @@ internal static class ObjReader
         MeshData data = new() { Positions = positions, Corners = corners, FaceStart = faceStart, FaceLabels = JoinLabels(chunks, faces) };
         if (hasColors)
             data.VertexColors = JoinPadded(chunks, vertices, static c => c.Positions.Count, static c => c.Colors.Span, Color.White);
-        if (hasTextureIndices || textureCoordinates > 0)
+        if (textureCoordinates == 0 && hasTextureIndices)
+        {
+            context.CountIgnored("texture coordinate index without vt", chunks.Sum(c => CountPresent(c.TextureIndices)));
+        }
+        else if (textureCoordinates > 0)
         {
             int[] indices = JoinPadded(chunks, cornerCount, static c => c.Corners.Count, static c => c.TextureIndices.Span, ObjChunk.Missing);
             Vector2D[] pool = JoinPadded(chunks, textureCoordinates, static c => c.TexturePool.Count, static c => c.TexturePool.Span, default);
@@ -110,7 +114,11 @@ internal static class ObjReader
             (data.VertexTextureCoordinates, data.CornerTextureCoordinates) = CornerAttributes.Distribute<Vector2D>(pool, indices, corners, vertices);
         }
 
-        if (hasNormalIndices || normals > 0)
+        if (normals == 0 && hasNormalIndices)
+        {
+            context.CountIgnored("normal index without vn", chunks.Sum(c => CountPresent(c.NormalIndices)));
+        }
+        else if (normals > 0)
         {
             int[] indices = JoinPadded(chunks, cornerCount, static c => c.Corners.Count, static c => c.NormalIndices.Span, ObjChunk.Missing);
             Vector3D[] pool = JoinPadded(chunks, normals, static c => c.NormalPool.Count, static c => c.NormalPool.Span, default);
@@ -122,6 +130,8 @@ internal static class ObjReader
         Report(chunks, context);
         return data;
     }
+
+    private static int CountPresent(GrowingArray<int> indices) => indices.IsAllocated ? indices.Count - indices.Span.Count(ObjChunk.Missing) : 0;
 
     private static void CopyGeometry(ObjChunk[] chunks, int c, Vector3D[] positions, int[] corners, int[] faceStart)
     {
@@ -211,11 +221,13 @@ internal static class ObjReader
     {
         ObjChunk whole = new(context, text.Length)
         {
-            Limits = (chunks.Sum(c => c.Positions.Count), chunks.Sum(c => c.TexturePool.Count), chunks.Sum(c => c.NormalPool.Count)),
+            Limits = (chunks.Sum(c => c.Positions.Count), LimitOf(chunks.Sum(c => c.TexturePool.Count)), LimitOf(chunks.Sum(c => c.NormalPool.Count))),
         };
         whole.Read(text, text.StartsWith("\uFEFF"u8) ? 3 : 0, text.Length, reports: false);
         throw new System.Diagnostics.UnreachableException("An index out of range was not found again.");
     }
+
+    private static int? LimitOf(int count) => count == 0 ? null : count;
 
     /// <summary>A file in which no line at all says something of OBJ is something else under a wrong name.</summary>
     private static void RefuseForeignText(ReadOnlySpan<byte> text, ObjChunk[] chunks, ReadContext context)

@@ -89,7 +89,8 @@ internal ref struct PlyCursor
     public int ReadLength(PlyType type)
     {
         long length = ReadInteger(type);
-        return length >= 0 && length <= Remaining ? (int)length : throw ErrorAtNumber($"the length {length} of a list", "a length that the file has room for");
+        // A list that is too long for a text ends at its place, with the end of the line.
+        return length >= 0 && (IsText || length <= Remaining) ? (int)length : throw ErrorAtNumber($"the length {length} of a list", "a length that the file has room for");
     }
 
     public void SkipProperty(PlyProperty property)

@@ -138,18 +138,21 @@ internal sealed class PlyWriter
         }
     }
 
-    // In text every number has a blank before it; the first one of a row too, which readers skip.
     private void Append(ByteBuffer b, double number)
     {
-        if (IsText)
-            b.AppendBlankAnd(number);
-        else
+        if (!IsText)
             b.AppendBinary(number, IsBig);
+        else if (b.IsAtLineStart)
+            b.AppendNumber(number);
+        else
+            b.AppendBlankAnd(number);
     }
 
     private void Append(ByteBuffer b, int number)
     {
-        if (IsText)
+        if (IsText && b.IsAtLineStart)
+            b.AppendInteger(number);
+        else if (IsText)
             b.AppendBlankAnd(number);
         else
             b.AppendBinary(number, IsBig);
@@ -157,10 +160,8 @@ internal sealed class PlyWriter
 
     private void AppendLength(ByteBuffer b, int length)
     {
-        if (IsText)
-            b.AppendInteger(length);
-        else if (hasLongLists)
-            b.AppendBinary(length, IsBig);
+        if (IsText || hasLongLists)
+            Append(b, length);
         else
             b.Append((byte)length);
     }
