@@ -1,3 +1,4 @@
+using System.Buffers.Binary;
 using System.IO.Compression;
 
 namespace MeshLab.IO;
@@ -85,11 +86,22 @@ internal static class FileBytes
         {
             using MemoryStream source = new(packed.ToArray(), writable: false);
             using GZipStream stream = new(source, CompressionMode.Decompress);
-            return ReadToEnd(stream, 4L * packed.Length, context);
+            ReadOnlyMemory<byte> bytes = ReadToEnd(stream, 4L * packed.Length, context);
+            if (!EndsWhole(packed.Span, bytes.Length))
+                throw context.BinaryError(packed.Length, "the end of the file", "the end of the data packed by gzip");
+            return bytes;
         }
         catch (InvalidDataException error)
         {
             throw context.BinaryError(packed.Length, "damaged data", $"data packed by gzip ({error.Message})");
         }
+    }
+
+    /// <summary>Packed data end with their unpacked length, which the runtime does not miss if it is cut off. Bytes may follow, or several packed parts stand one after the other.</summary>
+    private static bool EndsWhole(ReadOnlySpan<byte> packed, int length)
+    {
+        Span<byte> trailer = stackalloc byte[4];
+        BinaryPrimitives.WriteInt32LittleEndian(trailer, length);
+        return packed.EndsWith(trailer) || packed[10..].IndexOf(trailer) >= 0 || packed[LeastPackedBytes..].IndexOf((ReadOnlySpan<byte>)[0x1F, 0x8B, 8]) >= 0;
     }
 }
