@@ -1,8 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
-using System.Net;
-using System.Text;
 using MeshLab.Structure;
+using MeshLab.Visualization;
 using Spectre.Console;
 
 namespace MeshLab.Demos.Hosting;
@@ -10,23 +9,25 @@ namespace MeshLab.Demos.Hosting;
 /// <summary>Runs every demo on one model and writes a page with what they showed.</summary>
 internal static class Tour
 {
+    /// <summary>A model that can be turned is stored whole in its page; above this many faces the page would be too large to open quickly.</summary>
+    private const int MostFacesToTurn = 120_000;
+
     public static int Run(Mesh mesh, string path, string outDirectory)
     {
         Directory.CreateDirectory(outDirectory);
-        var page = new StringBuilder();
-        string title = $"MeshLab tour: {Path.GetFileName(path)}";
-        page.Append(CultureInfo.InvariantCulture, $"<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>{Encode(title)}</title></head><body><h1>{Encode(title)}</h1><p>{Encode(mesh.ToString())}</p>");
+        var page = new HtmlPage("MeshLab", $"{Path.GetFileName(path)} · {mesh}");
+        AddModel(page, mesh, outDirectory);
         foreach (Demo demo in DemoCatalog.All)
         {
             long start = Stopwatch.GetTimestamp();
             var output = new DemoOutput(Path.Combine(outDirectory, demo.Section), null);
             string? refusal = RunDemo(demo, mesh, output);
-            AnsiConsole.MarkupLineInterpolated($"{demo.Title} [grey]{Stopwatch.GetElapsedTime(start).TotalSeconds:F1} s{(refusal is null ? "" : ", not for this model: " + refusal)}[/]");
-            Append(page, demo, output, refusal, outDirectory);
+            string took = Stopwatch.GetElapsedTime(start).TotalSeconds.ToString("F1", CultureInfo.InvariantCulture);
+            AnsiConsole.MarkupLineInterpolated($"{demo.Title} [grey]{took} s{(refusal is null ? "" : ", not for this model: " + refusal)}[/]");
+            AddSection(page, demo, output, refusal, outDirectory);
         }
-        page.Append("</body></html>");
         string index = Path.Combine(outDirectory, "index.html");
-        File.WriteAllText(index, page.ToString());
+        page.Save(index);
         AnsiConsole.MarkupLineInterpolated($"open [bold]{Path.GetRelativePath(Environment.CurrentDirectory, index)}[/]");
         return 0;
     }
@@ -45,32 +46,55 @@ internal static class Tour
         }
     }
 
-    private static void Append(StringBuilder page, Demo demo, DemoOutput output, string? refusal, string outDirectory)
+    private static void AddModel(HtmlPage page, Mesh mesh, string outDirectory)
     {
-        page.Append(CultureInfo.InvariantCulture, $"<h2 id=\"{demo.Section}\">{Encode(demo.Title)}</h2>");
+        HtmlSection section = page.AddSection("0", "模型", "The model");
+        string picture = Path.Combine(outDirectory, "model.png");
+        MeshRenderer.Render(mesh, new RenderOptions()).SavePng(picture);
+        if (mesh.Faces.Count > MostFacesToTurn)
+        {
+            section.AddPicture("model.png", "the model");
+            return;
+        }
+        HtmlViewer.Save(Path.Combine(outDirectory, "model.html"), mesh, null, "the model", embedded: true);
+        section.AddModel("model.html", "model.png", "the model; turn it with the mouse");
+    }
+
+    private static void AddSection(HtmlPage page, Demo demo, DemoOutput output, string? refusal, string outDirectory)
+    {
+        HtmlSection section = page.AddSection(demo.Section, demo.Chinese, demo.English);
         foreach (DemoItem item in output.Items)
         {
             switch (item)
             {
                 case DemoLine line:
-                    page.Append(CultureInfo.InvariantCulture, $"<p>{Encode(line.Text)}</p>");
-                    break;
-                case DemoPicture picture:
-                    string link = Path.GetRelativePath(outDirectory, picture.Path).Replace('\\', '/');
-                    page.Append(CultureInfo.InvariantCulture, $"<figure><img src=\"{Encode(link)}\"><figcaption>{Encode(picture.Name)}</figcaption></figure>");
+                    section.AddText(line.Text);
                     break;
                 case DemoTable table:
-                    page.Append("<table><caption>").Append(Encode(table.Title)).Append("</caption><tr>");
-                    page.AppendJoin("", table.Columns.Select(column => $"<th>{Encode(column)}</th>")).Append("</tr>");
-                    foreach (IReadOnlyList<string> row in table.Rows)
-                        page.Append("<tr>").AppendJoin("", row.Select(cell => $"<td>{Encode(cell)}</td>")).Append("</tr>");
-                    page.Append("</table>");
+                    section.AddTable(table.Title, table.Columns, table.Rows);
+                    break;
+                case DemoPicture { Path: var path, Name: var name } when path.EndsWith(".svg", StringComparison.Ordinal):
+                    section.AddSvg(File.ReadAllText(path), name);
+                    break;
+                case DemoPicture picture:
+                    section.AddPicture(Path.GetRelativePath(outDirectory, picture.Path).Replace('\\', '/'), picture.Name);
+                    break;
+                case DemoViewer { Mesh.Faces.Count: <= MostFacesToTurn } viewer:
+                    AddViewer(section, demo, viewer, outDirectory);
                     break;
             }
         }
         if (refusal is not null)
-            page.Append(CultureInfo.InvariantCulture, $"<p><em>not for this model: {Encode(refusal)}</em></p>");
+            section.AddText($"Not for this model: {refusal}");
     }
 
-    private static string Encode(string text) => WebUtility.HtmlEncode(text);
+    private static void AddViewer(HtmlSection section, Demo demo, DemoViewer viewer, string outDirectory)
+    {
+        string folder = Path.Combine(outDirectory, demo.Section);
+        Directory.CreateDirectory(folder);
+        var options = new RenderOptions { Coloring = viewer.Coloring ?? Coloring.Default };
+        HtmlViewer.Save(Path.Combine(folder, viewer.Name + ".html"), viewer.Mesh, options, viewer.Name, embedded: true);
+        MeshRenderer.Render(viewer.Mesh, options).SavePng(Path.Combine(folder, viewer.Name + ".png"));
+        section.AddModel($"{demo.Section}/{viewer.Name}.html", $"{demo.Section}/{viewer.Name}.png", viewer.Name);
+    }
 }
