@@ -14,8 +14,13 @@ internal static class OppositeCotangents
     public static double[] Of(Mesh mesh, out double[] doubleArea)
     {
         RequireTriangles(mesh);
+        return Of(mesh, mesh.positions, out doubleArea);
+    }
+
+    /// <summary>The same with other positions, on a mesh known to have triangles only.</summary>
+    public static double[] Of(Mesh mesh, Vector3D[] position, out double[] doubleArea)
+    {
         int[] next = mesh.next, target = mesh.target, halfEdgeOf = mesh.halfEdgeOf;
-        Vector3D[] position = mesh.positions;
         var cotangent = new double[mesh.HalfEdgeSlots];
         var area = new double[mesh.FaceSlots];
         Parallelism.ForBlocks(area.Length, (from, to) =>
