@@ -334,15 +334,15 @@ public class ShapeCatalogTests
             if (mesh.IsClosed)
                 Assert.True(Measure.Volume(mesh) > 0, shape.Name);
         }
-        Assert.Equal(ShapeCatalog.Shapes.Count, ShapeCatalog.Shapes.Select(s => s.Name).Distinct().Count());
+        Assert.Equal(ShapeCatalog.Shapes.Count, ShapeCatalog.Shapes.Select(s => s.Name).Distinct(StringComparer.Ordinal).Count());
     }
 
     [Fact]
     public void Create_WithValues_PassesThemOn()
     {
-        Assert.Equal(100, ShapeCatalog.Find("grid").Create(new Dictionary<string, double> { ["m"] = 20, ["n"] = 5 }).Vertices.Count);
+        Assert.Equal(100, ShapeCatalog.Find("grid").Create(new Dictionary<string, double>(StringComparer.Ordinal) { ["m"] = 20, ["n"] = 5 }).Vertices.Count);
         Assert.Equal(Tori.Torus(2, 0.5, 9, 7).StateHash(), ShapeCatalog.Find("torus").Create(
-            new Dictionary<string, double> { ["major"] = 2, ["minor"] = 0.5, ["m"] = 9, ["n"] = 7 }).StateHash());
+            new Dictionary<string, double>(StringComparer.Ordinal) { ["major"] = 2, ["minor"] = 0.5, ["m"] = 9, ["n"] = 7 }).StateHash());
     }
 
     [Fact]
@@ -350,10 +350,10 @@ public class ShapeCatalogTests
     {
         Assert.Contains("torus", Assert.Throws<ArgumentException>(() => ShapeCatalog.Find("donut")).Message, StringComparison.Ordinal);
         Shape torus = ShapeCatalog.Find("torus");
-        Assert.Contains("minor", Assert.Throws<ArgumentException>(() => torus.Create(new Dictionary<string, double> { ["x"] = 1 })).Message, StringComparison.Ordinal);
-        Assert.Throws<ArgumentException>(() => torus.Create(new Dictionary<string, double> { ["m"] = 2 }));
-        Assert.Throws<ArgumentException>(() => torus.Create(new Dictionary<string, double> { ["m"] = 7.5 }));
-        Assert.Throws<ArgumentException>(() => torus.Create(new Dictionary<string, double> { ["major"] = double.NaN }));
+        Assert.Contains("minor", Assert.Throws<ArgumentException>(() => torus.Create(new Dictionary<string, double>(StringComparer.Ordinal) { ["x"] = 1 })).Message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>(() => torus.Create(new Dictionary<string, double>(StringComparer.Ordinal) { ["m"] = 2 }));
+        Assert.Throws<ArgumentException>(() => torus.Create(new Dictionary<string, double>(StringComparer.Ordinal) { ["m"] = 7.5 }));
+        Assert.Throws<ArgumentException>(() => torus.Create(new Dictionary<string, double>(StringComparer.Ordinal) { ["major"] = double.NaN }));
         Assert.Throws<TopologyException>(() => ShapeCatalog.Find("moebius").Create());
     }
 }
