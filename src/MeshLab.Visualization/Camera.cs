@@ -74,11 +74,11 @@ internal sealed class Camera
         return new(right, up, back, position, focal, width / 2, height / 2);
     }
 
-    /// <summary>The point as seen: x to the right, y up, z the distance along the viewing axis.</summary>
+    /// <summary>The point in the axes right, up, towards the viewer, the camera at the origin: z is minus the distance.</summary>
     public Vector3 ToView(Vector3D p)
     {
         Vector3D d = p - Position;
-        return new((float)Vector3D.Dot(d, Right), (float)Vector3D.Dot(d, Up), (float)-Vector3D.Dot(d, Back));
+        return new((float)Vector3D.Dot(d, Right), (float)Vector3D.Dot(d, Up), (float)Vector3D.Dot(d, Back));
     }
 
     /// <summary>Column and row (in samples, rows downward) and distance.</summary>

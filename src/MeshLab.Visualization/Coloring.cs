@@ -144,9 +144,17 @@ public sealed record Coloring
         Array.Fill(valences, -1);
         foreach (Vertex v in mesh.Vertices)
             valences[v.Index] = v.Valence;
-        LegendEntry[] entries = [.. valences.Where(k => k >= 0).Distinct().Order()
-            .Select(k => new LegendEntry(k.ToString(CultureInfo.InvariantCulture), Palette.Valence(k, regular)))];
-        return VertexLabels(valences, "valence", entries, k => Palette.Valence(k, regular));
+        // The palette has no further colours beyond three from the regular valence: those share one entry.
+        int most = valences.DefaultIfEmpty(0).Max(), fewest = valences.Where(k => k >= 0).DefaultIfEmpty(0).Min();
+        LegendEntry[] entries = [.. valences.Where(k => k >= 0).Select(k => Math.Clamp(k, regular - 3, regular + 3)).Distinct().Order()
+            .Select(k => new LegendEntry(Name(k), Palette.Valence(k, regular)))];
+        return VertexLabels(valences, "valence", entries, k => k < 0 ? ColorMap.NotANumber : Palette.Valence(k, regular));
+
+        string Name(int valence)
+        {
+            bool more = valence == regular + 3 && most > valence, fewer = valence == regular - 3 && fewest < valence;
+            return (more ? "≥ " : fewer ? "≤ " : "") + valence.ToString(CultureInfo.InvariantCulture);
+        }
     }
 
     /// <summary>The same with another range of numbers; values outside take the end's colour.</summary>

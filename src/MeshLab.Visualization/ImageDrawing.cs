@@ -52,6 +52,12 @@ public static class ImageDrawing
     {
         ArgumentNullException.ThrowIfNull(image);
         ArgumentNullException.ThrowIfNull(text);
+        DrawText(image, text, x, baseline, size, color, align, Math.Max((float)size * (bold ? 0.125f : 0.083f), 1));
+    }
+
+    /// <summary>Draws text with a pen of a given width in pixels.</summary>
+    internal static void DrawText(Image image, string text, double x, double baseline, double size, Color color, TextAlign align, float pen)
+    {
         float scale = (float)size / 100;
         float left = (float)x - (float)MeasureText(text, size) * align switch { TextAlign.Left => 0, TextAlign.Center => 0.5f, _ => 1 };
         var strokes = new List<Vector2[]>();
@@ -65,10 +71,10 @@ public static class ImageDrawing
             }
             left += glyph.Width * scale;
         }
-        Stroke(image, strokes, color, Math.Max((float)size * (bold ? 0.125f : 0.083f), 1));
+        Stroke(image, strokes, color, pen);
     }
 
-    /// <summary>The width in pixels that <see cref="DrawText"/> needs.</summary>
+    /// <summary>The width in pixels that <c>DrawText</c> needs.</summary>
     public static double MeasureText(string text, double size)
     {
         ArgumentNullException.ThrowIfNull(text);

@@ -67,7 +67,7 @@ public static class Legend
 
     internal static string Title(Coloring coloring) => coloring.Unit.Length == 0 ? coloring.Title : $"{coloring.Title} [{coloring.Unit}]";
 
-    internal static double[] Ticks(Coloring coloring) => NiceTicks.Linear(coloring.Minimum, coloring.Maximum);
+    internal static double[] Ticks(Coloring coloring, int wanted = 6) => NiceTicks.Linear(coloring.Minimum, coloring.Maximum, wanted);
 
     internal static string NotANumberText(Coloring coloring) =>
         string.Create(CultureInfo.InvariantCulture, $"no value ({coloring.CountNonFinite()})");
@@ -82,7 +82,7 @@ public static class Legend
             image.FillRectangle(x, y, barWidth, 1, coloring.Map.Sample(1 - (y + 0.5 - top) / height));
         Frame(image, x, top, barWidth, height);
 
-        double[] ticks = Ticks(coloring);
+        double[] ticks = Ticks(coloring, Math.Clamp(height / 40, 1, 6));
         string[] texts = NiceTicks.Format(ticks);
         for (int i = 0; i < ticks.Length; i++)
         {

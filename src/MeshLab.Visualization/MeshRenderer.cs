@@ -231,6 +231,8 @@ public static class MeshRenderer
         foreach (TextLabel label in options.Labels)
         {
             var (x, y, _) = camera.Project(label.Position);
+            // A light rim keeps the text readable over lines.
+            ImageDrawing.DrawText(image, label.Text, x / samples + 5, y / samples - 5, label.Size, Color.White with { A = 0.8f }, TextAlign.Left, (float)label.Size * 0.3f);
             image.DrawText(label.Text, x / samples + 5, y / samples - 5, label.Size, label.Color);
         }
         if (options.Title.Length > 0)

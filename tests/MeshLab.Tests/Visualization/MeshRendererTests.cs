@@ -161,6 +161,35 @@ public class MeshRendererTests
         static bool IsRed(Color color) => color is { R: > 0.9f, G: < 0.2f, B: < 0.2f };
     }
 
+    [Theory]
+    [InlineData(MarkShape.Sphere)]
+    [InlineData(MarkShape.Disc)]
+    public void Render_Marks_HaveTheirSizeAndAreHiddenBehind(MarkShape shape)
+    {
+        Mesh mesh = Sphere(32);
+        PointMarks front = new([new(0, -1.0, 0)], new Color(1, 0, 0), 20, shape), behind = front with { Points = [new(0, 1.3, 0)] };
+        RenderOptions options = Plain with { View = new(0, 0) };
+
+        // Of a ball on the surface half is seen, in front of it all of its disc.
+        int seen = Pixels(MeshRenderer.Render(mesh, options with { Points = [front] })).Count(IsReddish);
+        Assert.InRange(seen, 0.9 * Math.PI * 100, 1.1 * Math.PI * 100);
+        Assert.DoesNotContain(Pixels(MeshRenderer.Render(mesh, options with { Points = [behind] })), IsReddish);
+        Assert.InRange(Pixels(MeshRenderer.Render(new Mesh(), options with { Points = [front] })).Count(IsReddish), seen - 25, seen + 25);
+
+        static bool IsReddish(Color color) => color.A > 0.5f && color.R > 2 * color.G + 0.1f && color.R > 2 * color.B + 0.1f;
+    }
+
+    [Fact]
+    public void Render_HighlightedEdges_AreDrawn()
+    {
+        Mesh mesh = Sphere(16);
+        EdgeMarks marks = new([.. mesh.Edges.Where(e => e.Vertices.All(v => Math.Abs(v.Position.Z) < 1e-9)).Select(e => e.Index)], new Color(1, 0, 0), 4);
+        Assert.Equal(32, marks.Edges.Count);
+        Image image = MeshRenderer.Render(mesh, Plain with { View = new(0, 0), HighlightedEdges = [marks] });
+        Assert.Equal(new Color(1, 0, 0), image[100, 100]);
+        Assert.NotEqual(new Color(1, 0, 0), image[100, 90]);
+    }
+
     [Fact]
     public void Render_WrongArrays_Throw()
     {
