@@ -1,0 +1,94 @@
+using MeshLab.Cutting;
+using MeshLab.Geometry;
+using MeshLab.Numerics;
+using MeshLab.Structure;
+using MeshLab.Topology;
+using Xunit;
+
+namespace MeshLab.Tests.Cutting;
+
+[Trait("Section", "6.4")]
+public class EdgeCuttingTests
+{
+    [Fact]
+    public void CutAlong_AcrossAGrid_MakesTwoParts()
+    {
+        Mesh mesh = Models.QuadGrid(4, 2);
+        // The middle column of vertices: 2, 7, 12.
+        Edge[] path = [mesh.FindEdge(mesh.Vertices[2], mesh.Vertices[7]), mesh.FindEdge(mesh.Vertices[7], mesh.Vertices[12])];
+        EdgeCutResult cut = EdgeCutting.CutAlong(mesh, path);
+        Assert.Equal(2, cut.Mesh.ComponentCount);
+        Assert.Equal(mesh.Vertices.Count + 3, cut.Mesh.Vertices.Count);
+        Assert.Equal(2, cut.Copies[7].Count);
+        Assert.Equal(7, cut.Copies[7][0]);
+        Assert.All(cut.Copies[7], copy => Assert.Equal(7, cut.SourceVertex[copy]));
+        Assert.Equal(Enumerable.Range(0, 8), cut.SourceFace);
+        Assert.Equal(mesh.Area, cut.Mesh.Area, 1e-14);
+        Assert.Empty(cut.Uncut);
+        Assert.Empty(cut.Mesh.Validate());
+    }
+
+    [Fact]
+    public void CutAlong_PathInside_OpensASlitAndItsEndsStay()
+    {
+        Mesh mesh = Models.QuadGrid(4, 4);
+        Edge[] path = [mesh.FindEdge(mesh.Vertices[7], mesh.Vertices[12]), mesh.FindEdge(mesh.Vertices[12], mesh.Vertices[17])];
+        EdgeCutResult cut = EdgeCutting.CutAlong(mesh, path, opening: 0.01);
+        Assert.Equal(2, cut.Mesh.ComputeTopology().BoundaryLoops);
+        Assert.Equal(1, cut.Copies[7].Count);
+        Assert.Equal(1, cut.Copies[17].Count);
+        // The two copies of the middle move apart by twice the opening, across the cut.
+        Vector3D a = cut.Mesh.Vertices[cut.Copies[12][0]].Position, b = cut.Mesh.Vertices[cut.Copies[12][1]].Position;
+        Assert.Equal(0.02, Vector3D.Distance(a, b), 1e-14);
+        Assert.Equal(0.02, Math.Abs(a.X - b.X), 1e-14);
+        Assert.Equal(mesh.Positions[7], cut.Mesh.Positions[7]);
+        Assert.Empty(cut.Mesh.Validate());
+    }
+
+    [Fact]
+    public void CutAlong_OneEdgeInside_CannotOpenAndIsNamed()
+    {
+        Mesh mesh = Models.QuadGrid(4, 4);
+        Edge edge = mesh.FindEdge(mesh.Vertices[12], mesh.Vertices[13]);
+        EdgeCutResult cut = EdgeCutting.CutAlong(mesh, [edge]);
+        Assert.Equal([edge], cut.Uncut);
+        Assert.Equal(mesh.StateHash(), cut.Mesh.StateHash());
+    }
+
+    [Theory]
+    [MemberData(nameof(Models.All), MemberType = typeof(Models))]
+    public void CutAlong_AllEdges_LeavesFacesApart(string name)
+    {
+        Mesh mesh = Models.Create(name);
+        ulong before = mesh.StateHash();
+        EdgeCutResult cut = EdgeCutting.CutAlong(mesh, mesh.Edges);
+        Assert.Equal(mesh.Faces.Count, cut.Mesh.ComponentCount);
+        Assert.Equal(mesh.Faces.Sum(f => f.Degree), cut.Mesh.Edges.Count);
+        Assert.Empty(cut.Mesh.Validate());
+        Assert.Equal(before, mesh.StateHash());
+    }
+
+    [Theory]
+    [MemberData(nameof(Models.All), MemberType = typeof(Models))]
+    public void CutAlong_RandomEdges_IsAManifoldOverTheSameFaces(string name)
+    {
+        Mesh mesh = Models.Create(name);
+        var random = new Random(3);
+        EdgeCutResult cut = EdgeCutting.CutAlong(mesh, mesh.Edges.Where(_ => random.Next(3) == 0), opening: 1e-3);
+        Assert.Equal(mesh.Faces.Count, cut.Mesh.Faces.Count);
+        Assert.Empty(cut.Mesh.Validate());
+        foreach (Face f in cut.Mesh.Faces)
+        {
+            Assert.Equal(
+                mesh.Faces[cut.SourceFace[f.Index]].Vertices.Select(v => v.Index), f.Vertices.Select(v => cut.SourceVertex[v.Index]));
+        }
+    }
+
+    [Fact]
+    public void CutAlong_BadInput_ThrowsNamingIt()
+    {
+        Mesh mesh = Models.QuadGrid(2, 2), other = Models.QuadGrid(2, 2);
+        Assert.Contains("e3", Assert.Throws<ArgumentException>(() => EdgeCutting.CutAlong(mesh, [other.Edges[3]])).Message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>(() => EdgeCutting.CutAlong(mesh, [], double.NaN));
+    }
+}
