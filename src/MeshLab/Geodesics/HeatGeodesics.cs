@@ -58,7 +58,7 @@ public sealed class HeatGeodesics
         cotangent = OppositeCotangents.Of(mesh, out double[] doubleArea);
         mass = MassMatrix.Lumped(mesh, cotangent, doubleArea, MassKind.Barycentric);
         (index, slots) = NumberVertices(mesh);
-        component = FindComponents(mesh, slots);
+        component = VertexComponents.Of(mesh);
 
         SparseMatrix laplacian = Laplacian.Assemble(mesh, Laplacian.CotangentWeights(cotangent, double.NegativeInfinity), perHalfEdge: false);
         if (slots.Length < mesh.VertexSlots)
@@ -109,38 +109,6 @@ public sealed class HeatGeodesics
             index[v] = count++;
         }
         return (index, slots[..count]);
-    }
-
-    // Per vertex slot the lowest vertex of its component.
-    private static int[] FindComponents(Mesh mesh, int[] slots)
-    {
-        int[] next = mesh.next, target = mesh.target, outgoing = mesh.outgoing;
-        var component = new int[mesh.VertexSlots];
-        Array.Fill(component, -1);
-        var stack = new int[slots.Length];
-        foreach (int lowest in slots)
-        {
-            if (component[lowest] >= 0)
-                continue;
-            component[lowest] = lowest;
-            int depth = 0;
-            stack[depth++] = lowest;
-            while (depth > 0)
-            {
-                int first = outgoing[stack[--depth]], h = first;
-                do
-                {
-                    if (component[target[h]] < 0)
-                    {
-                        component[target[h]] = lowest;
-                        stack[depth++] = target[h];
-                    }
-                    h = next[h ^ 1];
-                }
-                while (h != first);
-            }
-        }
-        return component;
     }
 
     private static double MeanEdgeLength(Mesh mesh)

@@ -197,24 +197,3 @@ public sealed class DirichletProblem
         return SparseMatrix.FromEntries(matrix.Size, entries);
     }
 }
-
-/// <summary>§12.5 调和函数 (harmonic function) in one call; <see cref="DirichletProblem"/> keeps the factor for more.</summary>
-public static class HarmonicFunction
-{
-    extension(Mesh mesh)
-    {
-        /// <summary>The function that is harmonic everywhere but at some vertices with given values.</summary>
-        /// <param name="fixedValues">Vertices and their values.</param>
-        /// <param name="options">The weights, and what is an error.</param>
-        /// <param name="cancellationToken">Stops the work.</param>
-        /// <returns>The function per vertex slot; NaN at isolated and deleted vertices.</returns>
-        /// <exception cref="ArgumentException">See <see cref="DirichletProblem"/>.</exception>
-        public double[] ComputeHarmonicFunction(
-            IReadOnlyCollection<(Vertex Vertex, double Value)> fixedValues, HarmonicOptions? options = null, CancellationToken cancellationToken = default)
-        {
-            ArgumentNullException.ThrowIfNull(fixedValues);
-            return new DirichletProblem(mesh, [.. fixedValues.Select(f => f.Vertex)], options, cancellationToken)
-                .Solve([.. fixedValues.Select(f => f.Value)]);
-        }
-    }
-}
