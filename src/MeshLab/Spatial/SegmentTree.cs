@@ -51,6 +51,12 @@ public sealed class SegmentTree
         return new(FaceTree.Build(positions, corners));
     }
 
+    /// <summary>Whether some point of the segments is within the distance; stops at the first one found.</summary>
+    /// <param name="query">The point to start from.</param>
+    /// <param name="distance">The largest distance that counts.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The query is not finite, or the distance is negative or NaN.</exception>
+    public bool IsWithin(Vector3D query, double distance) => _tree.IsWithin(query, distance);
+
     /// <summary>The point of the segments closest to the query; of equally close segments the one with the lowest index.</summary>
     /// <param name="query">The point to start from.</param>
     /// <param name="maxDistanceSquared">Looks no farther than this (squared).</param>

@@ -1,0 +1,102 @@
+namespace MeshLab.Remeshing;
+
+/// <summary>What <see cref="IsotropicRemeshing"/> should do.</summary>
+public sealed record RemeshingOptions
+{
+    /// <summary>The edge length asked for, in model units; null for <see cref="RelativeLength"/> times the input's mean.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not positive or not finite.</exception>
+    public double? EdgeLength
+    {
+        get;
+        init
+        {
+            if (value is { } length)
+                ThrowIfNotPositive(length, nameof(EdgeLength));
+            field = value;
+        }
+    }
+
+    /// <summary>The edge length asked for, as a multiple of the input's mean edge length L̄; only if <see cref="EdgeLength"/> is null.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not positive or not finite.</exception>
+    public double RelativeLength
+    {
+        get;
+        init
+        {
+            ThrowIfNotPositive(value, nameof(RelativeLength));
+            field = value;
+        }
+    }
+    = 1;
+
+    /// <summary>How often split, collapse, flip and smooth are done.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Less than 1.</exception>
+    public int Passes
+    {
+        get;
+        init
+        {
+            ArgumentOutOfRangeException.ThrowIfLessThan(value, 1);
+            field = value;
+        }
+    }
+    = 5;
+
+    /// <summary>Edges whose faces meet at a sharper dihedral angle than this are features and stay (radians); π for none.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not in (0, π].</exception>
+    public double FeatureAngle
+    {
+        get;
+        init
+        {
+            if (!(value is > 0 and <= Math.PI))
+                throw new ArgumentOutOfRangeException(nameof(FeatureAngle), value, "A feature angle is in (0, π].");
+            field = value;
+        }
+    }
+    = Math.PI;
+
+    /// <summary>Whether vertices are moved back to the input's surface after every pass.</summary>
+    public bool Projection { get; init; } = true;
+
+    /// <summary>
+    /// Asks the tree for every vertex and weights by area in every pass: nearer to the input and rounder at about twice the time.
+    /// </summary>
+    public bool HighQuality { get; init; }
+
+    /// <summary>
+    /// The largest deviation of an edge from the surface (chord height) as a multiple of the edge length asked for; edges become shorter where the
+    /// surface is more curved than that. Null for one length everywhere. Dunyach, Vanderhaeghe, Barthe, Botsch 2013, eq. 1.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not positive or not finite.</exception>
+    public double? CurvatureTolerance
+    {
+        get;
+        init
+        {
+            if (value is { } tolerance)
+                ThrowIfNotPositive(tolerance, nameof(CurvatureTolerance));
+            field = value;
+        }
+    }
+
+    /// <summary>With <see cref="CurvatureTolerance"/>, the shortest length as a multiple of the one asked for.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not in (0, 1].</exception>
+    public double SmallestRelativeLength
+    {
+        get;
+        init
+        {
+            if (!(value is > 0 and <= 1))
+                throw new ArgumentOutOfRangeException(nameof(SmallestRelativeLength), value, "The shortest length is a share of the one asked for.");
+            field = value;
+        }
+    }
+    = 0.2;
+
+    private static void ThrowIfNotPositive(double value, string name)
+    {
+        if (!(value > 0) || !double.IsFinite(value))
+            throw new ArgumentOutOfRangeException(name, value, "A length is positive and finite.");
+    }
+}
