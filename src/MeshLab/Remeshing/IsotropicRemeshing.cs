@@ -1,3 +1,4 @@
+using MeshLab.Geometry;
 using MeshLab.Numerics;
 using MeshLab.Structure;
 
@@ -56,14 +57,14 @@ public static class IsotropicRemeshing
     {
         ArgumentNullException.ThrowIfNull(mesh);
         options ??= new();
-        ThrowIfNotTriangles(mesh);
+        mesh.RequireTriangles(nameof(mesh));
         Mesh input = mesh;
         if (!mesh.IsCompact)
         {
             input = mesh.Clone();
             input.Compact();
         }
-        double length = options.EdgeLength ?? options.RelativeLength * MeanEdgeLength(input);
+        double length = options.EdgeLength ?? options.RelativeLength * input.MeanEdgeLength;
         if (input.Faces.Count == 0 || !(length > 0))
             return new(input.Clone(), length, 0, 0, 0, 0, 0, 0);
 
@@ -72,7 +73,7 @@ public static class IsotropicRemeshing
         StartOnInput(surface, input);
         double[] sizes = SizingField.Of(input, options, length * InnerLength);
         sizes.CopyTo(surface.Size, 0);
-        var lengths = new EdgeLengths(surface, lines);
+        var lengths = new LengthSteps(surface, lines);
         var flips = new ValenceFlips(surface);
         SurfaceProjection? projection = options.Projection
             ? new SurfaceProjection(input, options.HighQuality ? 0 : TrustedWalk * length * InnerLength)
@@ -143,28 +144,5 @@ public static class IsotropicRemeshing
             int h = first[surface.InputFace[v]];
             surface.Size[v] = (sizes[target[h]] + sizes[target[next[h]]] + sizes[target[next[next[h]]]]) / 3;
         }
-    }
-
-    private static double MeanEdgeLength(Mesh mesh)
-    {
-        if (mesh.Edges.Count == 0)
-            return 0;
-        Vector3D[] positions = mesh.positions;
-        int[] target = mesh.target;
-        return Parallelism.SumBlocks(mesh.EdgeSlots, (from, to) =>
-        {
-            double sum = 0;
-            for (int e = from; e < to; e++)
-                sum += Vector3D.Distance(positions[target[2 * e]], positions[target[2 * e + 1]]);
-            return sum;
-        }) / mesh.Edges.Count;
-    }
-
-    internal static void ThrowIfNotTriangles(Mesh mesh)
-    {
-        if (mesh.IsTriangleMesh)
-            return;
-        Face polygon = mesh.Faces.First(f => !f.IsTriangle);
-        throw new ArgumentException($"{polygon} has {polygon.Degree} corners; remeshing needs triangles (Triangulate cuts polygons).", nameof(mesh));
     }
 }

@@ -18,6 +18,7 @@ internal sealed class SurfaceProjection
     private readonly FaceTree _tree;
     private readonly double _trustedSquared;
 
+    /// <summary>Builds the tree.</summary>
     /// <param name="mesh">The input, triangles without gaps.</param>
     /// <param name="trusted">Up to this distance a walk is believed.</param>
     public SurfaceProjection(Mesh mesh, double trusted)

@@ -17,7 +17,7 @@ internal sealed class ValenceFlips(RemeshSurface s)
     // Below this quality a triangle is removed whatever the valences, and none is made: angles above about 165° or below 8°.
     private const double Poor = 0.15;
 
-    private const double LongSquared = EdgeLengths.Long * EdgeLengths.Long;
+    private const double LongSquared = LengthSteps.Long * LengthSteps.Long;
 
     private readonly List<int> _again = [];
 

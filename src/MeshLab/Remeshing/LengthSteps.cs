@@ -3,7 +3,7 @@ using MeshLab.Numerics;
 namespace MeshLab.Remeshing;
 
 /// <summary>The first two steps: long edges are split (分裂长边), short ones are collapsed (合并短边).</summary>
-internal sealed class EdgeLengths(RemeshSurface s, FeatureLines lines)
+internal sealed class LengthSteps(RemeshSurface s, FeatureLines lines)
 {
     /// <summary>Edges longer than this times the length wanted are split, and no collapse may make one.</summary>
     public const double Long = 1.4;
@@ -22,7 +22,7 @@ internal sealed class EdgeLengths(RemeshSurface s, FeatureLines lines)
     public int Collapses { get; private set; }
 
     /// <summary>Splits long edges at their midpoints: sweeps in index order, the longest first, by factors of √2; new edges are seen in the same sweep.</summary>
-    /// <remarks>In any other order, a needle whose long sides need n pieces would be filled with a fan of n² of them.</remarks>
+    /// <remarks>In any other order, a needle whose long sides need n pieces would be filled with fans of n² of them; this way there are about n^1.6.</remarks>
     public void SplitLong()
     {
         double longest = 0;

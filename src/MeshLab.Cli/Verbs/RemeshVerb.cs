@@ -1,0 +1,80 @@
+using System.CommandLine;
+using System.Globalization;
+using MeshLab.Cli.Hosting;
+using MeshLab.Remeshing;
+using MeshLab.Structure;
+
+namespace MeshLab.Cli.Verbs;
+
+internal sealed class RemeshVerb : Verb
+{
+    private readonly Argument<string> input = InputArgument();
+    private readonly Argument<string> output = OutputArgument();
+    private readonly Option<double> edgeLength = new("--edge-length") { Description = "The edge length asked for, in model units." };
+    private readonly Option<double> relative = new("--relative") { Description = "The edge length asked for, as a multiple of the input's mean.", DefaultValueFactory = _ => 1 };
+    private readonly Option<int> iterations = new("--iterations") { Description = "Passes of split, collapse, flip and smooth.", DefaultValueFactory = _ => 5 };
+    private readonly Option<double> featureAngle = new("--feature-angle") { Description = "Keep edges with a sharper dihedral angle than this (degrees).", DefaultValueFactory = _ => 180 };
+    private readonly Option<bool> noProjection = new("--no-projection") { Description = "Do not move vertices back to the input's surface." };
+    private readonly Option<bool> highQuality = new("--high-quality") { Description = "Nearer to the input and rounder, at about twice the time." };
+    private readonly Option<double> curvatureTolerance = new("--curvature-tolerance") { Description = "Shorter edges where the surface is curved: chord height as a multiple of the edge length." };
+    private readonly Option<bool> laboratory = new("--laboratory") { Description = "The laboratory's four steps, as in the script." };
+
+    public override string Name => "remesh";
+
+    public override string Summary => "Remesh with nearly equilateral triangles on the same surface.";
+
+    public override string Example => "remesh models/creature.obj creature-remeshed.obj --relative 0.8";
+
+    public override void Configure(Command command)
+    {
+        command.Arguments.Add(input);
+        command.Arguments.Add(output);
+        foreach (Option option in (Option[])[edgeLength, relative, iterations, featureAngle, noProjection, highQuality, curvatureTolerance, laboratory])
+            command.Options.Add(option);
+    }
+
+    public override void Run(VerbContext context)
+    {
+        Mesh mesh = context.ReadMesh(context.Get(input));
+        (Mesh result, double length) = context.Time(() => context.Get(laboratory) ? InLaboratory(mesh, context) : Remesh(mesh, context));
+        context.WriteMesh(result, context.Get(output));
+
+        RemeshingQuality quality = RemeshingQuality.Of(result);
+        IReadOnlyDictionary<int, int> histogram = quality.ValenceHistogram;
+        var counts = new ResultFields();
+        foreach ((int valence, int count) in histogram)
+            counts.Add(valence.ToString(CultureInfo.InvariantCulture), count);
+        context.Result
+            .Add("edgeLength", length)
+            .Add("valence", new ResultFields()
+                .Add("min", histogram.Count == 0 ? 0 : histogram.Keys.Min())
+                .Add("mean", quality.MeanValence)
+                .Add("max", histogram.Count == 0 ? 0 : histogram.Keys.Max())
+                .Add("histogram", counts))
+            .Add("angle", new ResultFields().Add("min", quality.SmallestAngle).Add("mean", quality.MeanSmallestAngle));
+    }
+
+    private (Mesh Mesh, double EdgeLength) Remesh(Mesh mesh, VerbContext context)
+    {
+        var options = new RemeshingOptions
+        {
+            EdgeLength = context.Has(edgeLength) ? context.Get(edgeLength) : null,
+            RelativeLength = context.Get(relative),
+            Passes = context.Get(iterations),
+            FeatureAngle = Math.Min(Math.PI, context.Get(featureAngle) * Math.PI / 180),
+            Projection = !context.Get(noProjection),
+            HighQuality = context.Get(highQuality),
+            CurvatureTolerance = context.Has(curvatureTolerance) ? context.Get(curvatureTolerance) : null,
+        };
+        RemeshingResult result = mesh.RemeshIsotropically(options, context.Progress("remesh"), context.CancellationToken);
+        return (result.Mesh, result.EdgeLength);
+    }
+
+    private (Mesh Mesh, double EdgeLength) InLaboratory(Mesh mesh, VerbContext context)
+    {
+        var options = new LaboratoryRemeshingOptions { Passes = context.Get(iterations), EdgeLength = context.Has(edgeLength) ? context.Get(edgeLength) : null };
+        LaboratoryRemeshingResult result = mesh.RemeshInLaboratory(options, context.Progress("remesh"), context.CancellationToken);
+        mesh.Compact();
+        return (mesh, result.EdgeLength);
+    }
+}
