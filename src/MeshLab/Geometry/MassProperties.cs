@@ -20,7 +20,7 @@ public readonly record struct InertiaTensor(double XX, double YY, double ZZ, dou
 /// <param name="Area">The area.</param>
 /// <param name="Volume">§10.2 体积: the signed volume, positive if the normals point outward. Of an open mesh: of the cone over it from the origin.</param>
 /// <param name="SurfaceCentroid">The centroid of the surface (形心), weighted by area; NaN if the area is zero.</param>
-/// <param name="VolumeCentroid">The centroid of the solid; NaN if the volume is zero.</param>
+/// <param name="VolumeCentroid">The centroid of the solid (or of that cone); NaN if the volume is zero.</param>
 /// <param name="Inertia">The inertia of the solid about its centroid.</param>
 /// <param name="ZeroAreaFaces">How many faces have zero area.</param>
 public sealed record MassProperties(
@@ -28,7 +28,7 @@ public sealed record MassProperties(
 
 /// <summary>§10.2 体积 (signed volume), centroids and inertia by summing tetrahedra over the faces.</summary>
 /// <remarks>
-/// V = Σ det(a, b, c) / 6 over the triangles, which for a closed mesh does not depend on the origin; the sums are taken about the centre of the
+/// V = Σ det(a, b, c) / 6 over the triangles, which for a closed mesh does not depend on the origin; its sums are taken about the centre of the
 /// bounding box, so that a shape far from the origin keeps its digits. Polygons are summed as fans of their first vertex: exact if they are flat.
 /// Moments: ∫ xᵢxⱼ over a tetrahedron (0, a, b, c) = det/120 · (sᵢsⱼ + aᵢaⱼ + bᵢbⱼ + cᵢcⱼ), s = a + b + c (Lien, Kajiya 1984). O(H), in parallel.
 /// </remarks>
@@ -43,13 +43,13 @@ public static class Volumes
         public MassProperties ComputeMassProperties()
         {
             ArgumentNullException.ThrowIfNull(mesh);
-            Vector3D origin = mesh.Vertices.Count == 0 ? default : mesh.BoundingBox.Center;
+            Vector3D origin = mesh.Vertices.Count == 0 || !mesh.IsClosed ? default : mesh.BoundingBox.Center;
             var blocks = new Moments[(mesh.FaceSlots + Parallelism.BlockSize - 1) / Parallelism.BlockSize];
             Parallelism.ForBlocks(mesh.FaceSlots, (from, to) => blocks[from / Parallelism.BlockSize] = Moments.OfFaces(mesh, origin, from, to));
             var total = new Moments();
             foreach (Moments block in blocks)
                 total.Add(block);
-            return total.ToProperties(origin, mesh.IsClosed);
+            return total.ToProperties(origin);
         }
     }
 
@@ -57,7 +57,6 @@ public static class Volumes
     private struct Moments
     {
         private double area;
-        private Vector3D areaVector;
         private Vector3D areaMoment;
         private double volume;
         private Vector3D first;
@@ -95,7 +94,6 @@ public static class Volumes
             Vector3D sum = a + b + c, cross = Vector3D.Cross(b - a, c - a);
             double doubleArea = Vector3D.Dot(cross, normal), det = Vector3D.Dot(a, cross);
             area += doubleArea;
-            areaVector += cross;
             areaMoment += doubleArea * sum;
             volume += det;
             first += det * sum;
@@ -112,7 +110,6 @@ public static class Volumes
         public void Add(Moments other)
         {
             area += other.area;
-            areaVector += other.areaVector;
             areaMoment += other.areaMoment;
             volume += other.volume;
             first += other.first;
@@ -121,17 +118,15 @@ public static class Volumes
             zeroAreaFaces += other.zeroAreaFaces;
         }
 
-        public readonly MassProperties ToProperties(Vector3D origin, bool isClosed)
+        public readonly MassProperties ToProperties(Vector3D origin)
         {
             double v = volume / 6;
             Vector3D center = first / (4 * volume);
             Vector3D s = squares / 120 - v * new Vector3D(center.X * center.X, center.Y * center.Y, center.Z * center.Z);
             Vector3D p = products / 120 - v * new Vector3D(center.X * center.Y, center.Y * center.Z, center.Z * center.X);
-            // The area vectors of a closed surface cancel; those of an open one move the volume with the origin.
-            double aboutZero = isClosed ? v : v + Vector3D.Dot(origin, areaVector) / 6;
             return new(
                 area / 2,
-                aboutZero,
+                v,
                 origin + areaMoment / (3 * area),
                 origin + center,
                 new(s.Y + s.Z, s.Z + s.X, s.X + s.Y, -p.X, -p.Y, -p.Z),
