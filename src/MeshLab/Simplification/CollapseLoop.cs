@@ -8,6 +8,9 @@ internal interface IEdgeCost
     /// <summary>The cost of contracting an edge, where its vertex goes, and the weight of the planes that the cost is a sum over.</summary>
     double Evaluate(int edge, out Vector3D position, out double weight);
 
+    /// <summary>The mean squared distance of a position to the original planes that the edge stands for, in working units.</summary>
+    double MeanSquare(int edge, Vector3D position, double weight);
+
     /// <summary>Whether the edge's key is only a lower bound of its cost.</summary>
     bool IsStale(int edge);
 
@@ -48,6 +51,7 @@ internal sealed class CollapseLoop<TCost>
     private int pendingEdge = -1;
     private Vector3D pendingPosition;
     private double pendingWeight;
+    private double pendingMeanSquare;
 
     public CollapseLoop(
         WorkingMesh mesh, TCost cost, BucketQueue queue, LoopSettings settings, int stamp, Action<int>? report, CancellationToken cancellationToken)
@@ -164,7 +168,8 @@ internal sealed class CollapseLoop<TCost>
         if (pendingEdge != edge)
             cost.Evaluate(edge, out pendingPosition, out pendingWeight);
         pendingEdge = -1;
-        if (mesh.Keys[edge] > settings.MaxMeanSquare * pendingWeight)
+        pendingMeanSquare = cost.MeanSquare(edge, pendingPosition, pendingWeight);
+        if (pendingMeanSquare > settings.MaxMeanSquare)
             return EdgeState.RefusedByError;
         if (!settings.AllowFlips && !(mesh.KeepsOrientation(h, pendingPosition) && mesh.KeepsOrientation(h ^ 1, pendingPosition)))
             return EdgeState.RefusedByFlip;
@@ -179,8 +184,7 @@ internal sealed class CollapseLoop<TCost>
         int u = rows[h ^ 1].Target, v = rows[h].Target;
         FacesRemoved += (rows[h].Face >= 0 ? 1 : 0) + (rows[h ^ 1].Face >= 0 ? 1 : 0);
         Collapses++;
-        if (pendingWeight > 0)
-            MaxMeanSquare = Math.Max(MaxMeanSquare, mesh.Keys[edge] / pendingWeight);
+        MaxMeanSquare = Math.Max(MaxMeanSquare, pendingMeanSquare);
 
         Merges merges = mesh.ChooseMerges(h);
         settings.Log?.BeforeCollapse(mesh, h, pendingPosition, merges);

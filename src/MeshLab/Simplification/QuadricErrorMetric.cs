@@ -1,3 +1,4 @@
+using MeshLab.Numerics;
 using MeshLab.Structure;
 
 namespace MeshLab.Simplification;
@@ -5,7 +6,7 @@ namespace MeshLab.Simplification;
 /// <summary>§7.2 二次误差度量 (quadric error metric): contracts the edge that costs least, again and again.</summary>
 /// <remarks>
 /// Garland and Heckbert 1997: the cost of putting the two ends of an edge at p is the sum of the squared distances of p to the planes of the faces that the
-/// ends stand for, q(p) = pᵀA p + 2 bᵀp + c, a <see cref="Numerics.Quadric"/>; p is where it is smallest, A p = −b. Edges of equal cost go by index, so the result is the
+/// ends stand for, q(p) = pᵀA p + 2 bᵀp + c, a <see cref="Quadric"/>; p is where it is smallest, A p = −b. Edges of equal cost go by index, so the result is the
 /// same on every run, machine and number of threads. The work is done on a private copy in a box of unit diagonal: a call that is cancelled or throws leaves the
 /// mesh as it was. At the end the mesh given is replaced by the result without gaps, its elements in the old order; handles from before are void.
 /// Topology (components, boundary loops, Euler characteristic) never changes. Vertex traits are blended by where the new vertex lies along the edge, corner traits
@@ -14,6 +15,9 @@ namespace MeshLab.Simplification;
 /// </remarks>
 public static class QuadricErrorMetric
 {
+    /// <summary>Accurate mode goes over to costs from the current faces at this multiple of the target.</summary>
+    private const long MemorylessFactor = 3;
+
     extension(Mesh mesh)
     {
         /// <summary>Simplifies the mesh (简化) by the quadric error metric.</summary>
@@ -32,7 +36,11 @@ public static class QuadricErrorMetric
             SimplificationInput.CheckTriangles(mesh);
             cancellationToken.ThrowIfCancellationRequested();
             SimplificationInput.CheckNotRecorded(mesh);
-            SimplificationResult result = RunFast(mesh, options, target, progress, cancellationToken);
+            SimplificationResult result = options.Mode switch
+            {
+                QuadricMode.Accurate => RunAccurate(mesh, options, target, progress, cancellationToken),
+                _ => RunFast(mesh, options, target, progress, cancellationToken),
+            };
             progress?.Report(1);
             return result;
         }
@@ -41,23 +49,45 @@ public static class QuadricErrorMetric
     private static SimplificationResult RunFast(
         Mesh mesh, QuadricOptions options, int target, IProgress<double>? progress, CancellationToken cancellationToken)
     {
-        int before = mesh.Faces.Count;
-        var simplifier = new FastSimplifier(mesh, options, TraceLog.For(options.Trace), progress, cancellationToken);
-        simplifier.Run(target);
-        cancellationToken.ThrowIfCancellationRequested();
-        simplifier.ApplyTraits(mesh);
-        ResultWriter.Write(simplifier.Working, mesh);
-        return Report(simplifier, options, target, before);
+        var contraction = new EdgeContraction(mesh, options, TraceLog.For(options.Trace), progress, cancellationToken);
+        contraction.ContractBySums(target);
+        return Finish(mesh, contraction, new CompactResult(contraction.Working), options, target, cancellationToken);
     }
 
-    private static SimplificationResult Report(FastSimplifier simplifier, QuadricOptions options, int target, int before)
+    private static SimplificationResult RunAccurate(
+        Mesh mesh, QuadricOptions options, int target, IProgress<double>? progress, CancellationToken cancellationToken)
     {
-        RefusalCounts refusals = simplifier.CountRefusals();
-        int after = simplifier.Working.FaceCount;
+        var contraction = new EdgeContraction(mesh, options, TraceLog.For(options.Trace), progress, cancellationToken) { ProgressShare = 0.8 };
+        contraction.Working.TrackSuccessors();
+        // Without a number of faces to approach, sums say best where the error limit is.
+        UncheckedArray<Quadric> sums = contraction.ContractBySums(target == 0 ? 0 : (int)Math.Min(mesh.Faces.Count, MemorylessFactor * target));
+        if (target > 0)
+            contraction.ContractMemoryless(sums, target);
+        var result = new CompactResult(contraction.Working);
+        if (options.Placement == VertexPlacement.Optimal)
+            SurfaceFit.Run(mesh, contraction.Working, result, cancellationToken);
+        return Finish(mesh, contraction, result, options, target, cancellationToken);
+    }
+
+    /// <summary>Changes the mesh: from here on nothing may fail.</summary>
+    private static SimplificationResult Finish(
+        Mesh mesh, EdgeContraction contraction, CompactResult compact, QuadricOptions options, int target, CancellationToken cancellationToken)
+    {
+        cancellationToken.ThrowIfCancellationRequested();
+        SimplificationResult result = Report(contraction, target, mesh.Faces.Count);
+        contraction.ApplyTraits(mesh);
+        compact.WriteTo(mesh);
+        return result;
+    }
+
+    private static SimplificationResult Report(EdgeContraction contraction, int target, int before)
+    {
+        RefusalCounts refusals = contraction.CountRefusals();
+        int after = contraction.Working.FaceCount;
         StopReason reason = after <= target ? StopReason.TargetReached
             : refusals.Error > 0 ? StopReason.MaxErrorReached
             : StopReason.NothingCollapsible;
-        return new(reason, before, after, simplifier.Collapses, Math.Sqrt(simplifier.MaxMeanSquare) * simplifier.Working.Scale, refusals);
+        return new(reason, before, after, contraction.Collapses, Math.Sqrt(contraction.MaxMeanSquare) * contraction.Working.Scale, refusals);
     }
 
     /// <summary>The number of faces to reach; 0 if only the error limits.</summary>

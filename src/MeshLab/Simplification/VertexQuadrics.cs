@@ -30,30 +30,30 @@ internal sealed class VertexQuadrics(WorkingMesh mesh, bool areaWeights, double 
     {
         sum = default;
         UncheckedArray<HalfEdgeRow> rows = mesh.Rows;
-        Vector3D p = mesh.Positions[vertex];
         int start = mesh.Outgoing[vertex], g = start;
         do
         {
             ref HalfEdgeRow row = ref rows[g];
             if (row.Face >= 0)
-                AddFace(ref sum, p, mesh.Positions[row.Target], mesh.Positions[rows[row.Next].Target]);
+                AddFace(ref sum, vertex, row.Target, rows[row.Next].Target, 1);
             int otherFace = rows[g ^ 1].Face;
             if (borderWeight > 0 && IsHeld(g, row.Face, otherFace))
-            {
-                if (row.Face >= 0)
-                    AddBorder(ref sum, p, mesh.Positions[row.Target], mesh.Positions[rows[row.Next].Target]);
-                else
-                    AddBorder(ref sum, p, mesh.Positions[row.Target], mesh.Positions[rows[rows[g ^ 1].Next].Target]);
-            }
+                AddBorder(ref sum, vertex, row.Target, rows[row.Face >= 0 ? row.Next : rows[g ^ 1].Next].Target);
             g = rows[g ^ 1].Next;
         }
         while (g != start);
     }
 
-    /// <summary>Adds the plane of the triangle (p, a, b), or takes it away.</summary>
+    /// <summary>Adds the plane of the triangle of three vertices, or with sign −1 takes it away.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AddFace(ref Quadric sum, Vector3D p, Vector3D a, Vector3D b, double sign = 1)
+    public void AddFace(ref Quadric sum, int i, int j, int k, double sign)
     {
+        // Always the same corner first, so that a plane has the same bits from wherever it is seen, and taking it away leaves nothing.
+        if (j < i)
+            (i, j, k) = j < k ? (j, k, i) : (k, i, j);
+        else if (k < i)
+            (i, j, k) = (k, i, j);
+        Vector3D p = mesh.Positions[i], a = mesh.Positions[j], b = mesh.Positions[k];
         Vector3D normal = Vector3D.Cross(a - p, b - p);
         double length = normal.Length;
         if (!(length > 0))
@@ -67,10 +67,11 @@ internal sealed class VertexQuadrics(WorkingMesh mesh, bool areaWeights, double 
     private bool IsHeld(int halfEdge, int face, int otherFace) =>
         (face | otherFace) < 0 ? holdBoundary : mesh.Constraints is { } constraints && constraints.IsSpecial(halfEdge >> 1);
 
-    /// <summary>Adds the plane through the edge from p to a, perpendicular to the triangle (p, a, b).</summary>
-    private void AddBorder(ref Quadric sum, Vector3D p, Vector3D a, Vector3D b)
+    /// <summary>Adds the plane through the edge from i to j, perpendicular to the triangle (i, j, k).</summary>
+    private void AddBorder(ref Quadric sum, int i, int j, int k)
     {
-        Vector3D edge = a - p, normal = Vector3D.Cross(edge, Vector3D.Cross(edge, b - p));
+        Vector3D p = mesh.Positions[i], edge = mesh.Positions[j] - p;
+        Vector3D normal = Vector3D.Cross(edge, Vector3D.Cross(edge, mesh.Positions[k] - p));
         double squared = edge.LengthSquared, length = normal.Length;
         if (squared > 0 && length > 0)
         {

@@ -101,6 +101,9 @@ internal sealed class WorkingMesh
     /// <summary>What vertices and edges may not do; <see langword="null"/> if they may do anything.</summary>
     public Constraints? Constraints { get; set; }
 
+    /// <summary>Per vertex, itself or the vertex that it went into when it was removed; <see langword="null"/> if nobody asks.</summary>
+    public int[]? Successors { get; private set; }
+
     public int FaceCount { get; set; }
 
     public Vector3D Center { get; }
@@ -114,11 +117,30 @@ internal sealed class WorkingMesh
 
     public Vector3D Restored(Vector3D position) => position * Scale + Center;
 
-    /// <summary>The position of a vertex in model units; on an input vertex, that one's bits.</summary>
-    public Vector3D FinalPosition(int vertex, ReadOnlySpan<Vector3D> input)
+    /// <summary>The input vertex that a vertex lies on; −1 if on none.</summary>
+    public int OriginOf(int vertex) => origins[vertex];
+
+    /// <summary>From now on notes where removed vertices go.</summary>
+    public void TrackSuccessors()
     {
-        int origin = origins[vertex];
-        return origin >= 0 ? input[origin] : Restored(Positions[vertex]);
+        Successors = new int[Positions.Length];
+        for (int v = 0; v < Successors.Length; v++)
+            Successors[v] = v;
+    }
+
+    /// <summary>Per vertex the live one that it is part of.</summary>
+    public int[] Survivors()
+    {
+        int[] survivors = Successors ?? throw new InvalidOperationException("Successors were not tracked.");
+        for (int v = 0; v < survivors.Length; v++)
+        {
+            int last = v;
+            while (survivors[last] != last)
+                last = survivors[last];
+            for (int w = v; w != last;)
+                (w, survivors[w]) = (survivors[w], last);
+        }
+        return survivors;
     }
 
     /// <summary>Whether contracting the edge of the half-edge keeps the surface a manifold of the same topology (连接条件): the ends have no common
@@ -232,6 +254,8 @@ internal sealed class WorkingMesh
         int leavingRight = RemoveSide(o, (merges & Merges.RightNextStays) != Merges.None);
         States[h >> 1] = EdgeState.Deleted;
         Outgoing[u] = DeletedVertex;
+        if (Successors is not null)
+            Successors[u] = v;
         if (position != Positions[v])
         {
             origins[v] = position == Positions[u] ? origins[u] : -1;

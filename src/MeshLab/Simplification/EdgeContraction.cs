@@ -3,8 +3,8 @@ using MeshLab.Structure;
 
 namespace MeshLab.Simplification;
 
-/// <summary>Fast mode: summed quadrics, a bucket queue of lower bounds, and on large meshes regions at once.</summary>
-internal sealed class FastSimplifier
+/// <summary>Contracts edges on a private copy: a bucket queue of lower bounds, and on large meshes regions at once.</summary>
+internal sealed class EdgeContraction
 {
     private readonly QuadricOptions options;
     private readonly int facesBefore;
@@ -12,8 +12,9 @@ internal sealed class FastSimplifier
     private readonly CancellationToken cancellationToken;
     private readonly CollapseLog? extraLog;
     private readonly TraitLog? traits;
+    private int stamp;
 
-    public FastSimplifier(Mesh mesh, QuadricOptions options, CollapseLog? extraLog, IProgress<double>? progress, CancellationToken cancellationToken)
+    public EdgeContraction(Mesh mesh, QuadricOptions options, CollapseLog? extraLog, IProgress<double>? progress, CancellationToken cancellationToken)
     {
         this.options = options;
         this.extraLog = extraLog;
@@ -25,6 +26,8 @@ internal sealed class FastSimplifier
     }
 
     public WorkingMesh Working { get; }
+
+    private VertexQuadrics Planes => new(Working, options.AreaWeights, options.BoundaryWeight, options.Boundary != BoundaryTreatment.Free);
 
     /// <summary>The part of the whole work that this is, for progress.</summary>
     public double ProgressShare { get; init; } = 1;
@@ -38,34 +41,34 @@ internal sealed class FastSimplifier
 
     /// <summary>Contracts edges with summed quadrics until the number of faces is reached.</summary>
     /// <returns>The sums, for those who go on.</returns>
-    public UncheckedArray<Quadric> Run(int targetFaces)
+    public UncheckedArray<Quadric> ContractBySums(int targetFaces)
     {
-        VertexQuadrics planes = PlanesOf(options);
-        UncheckedArray<Quadric> quadrics = planes.GatherAll();
-        var cost = new SummedQuadrics(Working, quadrics, new Placement(Working, options.Placement));
-        Contract(cost, targetFaces);
+        UncheckedArray<Quadric> quadrics = Planes.GatherAll();
+        Contract(new SummedQuadrics(Working, quadrics, new Placement(Working, options.Placement)), targetFaces);
         return quadrics;
     }
 
-    public VertexQuadrics PlanesOf(QuadricOptions options) => new(
-        Working, options.AreaWeights, options.BoundaryWeight, options.Boundary != BoundaryTreatment.Free);
+    /// <summary>Contracts edges with costs from the current faces until the number of faces is reached.</summary>
+    /// <param name="history">The sums so far.</param>
+    /// <param name="targetFaces">The number of faces.</param>
+    public void ContractMemoryless(UncheckedArray<Quadric> history, int targetFaces) =>
+        Contract(new MemorylessQuadrics(Working, Planes, new Placement(Working, options.Placement), history), targetFaces);
 
     /// <summary>Contracts edges with any cost until the number of faces is reached or nothing is left.</summary>
-    public void Contract<TCost>(TCost cost, int targetFaces)
+    private void Contract<TCost>(TCost cost, int targetFaces)
         where TCost : struct, IEdgeCost
     {
         if (Working.FaceCount <= targetFaces)
             return;
         BucketScale scale = EvaluateAll(cost);
         UncheckedArray<int> links = UncheckedArray<int>.Uninitialized(Working.EdgeSlots);
-        int stamp = 0;
         int regions = extraLog is null && traits is null ? Regions.CountFor(Working.FaceCount) : 1;
         if (regions > 1 && Working.FaceCount > targetFaces / 3 * 4)
-            stamp = RunRegions(cost, scale, links, regions, targetFaces);
+            RunRegions(cost, scale, links, regions, targetFaces);
 
         while (Working.FaceCount > targetFaces)
         {
-            CollapseLoop<TCost> loop = NewLoop(cost, new BucketQueue(scale, links), stamp, Report);
+            CollapseLoop<TCost> loop = NewLoop(cost, new BucketQueue(scale, links), Report);
             for (int e = Working.EdgeSlots - 1; e >= 0; e--)
             {
                 if (Working.States[e] == EdgeState.Deleted)
@@ -76,7 +79,6 @@ internal sealed class FastSimplifier
             }
             loop.Run(scale, Working.FaceCount - targetFaces);
             Take(loop);
-            stamp = loop.Stamp;
             // What was refused may have become possible since; only a round without a contraction shows that nothing is left.
             if (loop.Collapses == 0)
                 return;
@@ -116,13 +118,13 @@ internal sealed class FastSimplifier
         return new BucketScale(largest);
     }
 
-    private int RunRegions<TCost>(TCost cost, BucketScale scale, UncheckedArray<int> links, int regions, int targetFaces)
+    private void RunRegions<TCost>(TCost cost, BucketScale scale, UncheckedArray<int> links, int regions, int targetFaces)
         where TCost : struct, IEdgeCost
     {
         Regions split = new(Working, regions);
         var loops = new CollapseLoop<TCost>[regions];
         for (int r = 0; r < regions; r++)
-            loops[r] = NewLoop(cost, new BucketQueue(scale, links), 0, null);
+            loops[r] = NewLoop(cost, new BucketQueue(scale, links), null);
         for (int e = Working.EdgeSlots - 1; e >= 0; e--)
         {
             if (Working.States[e] == EdgeState.Deleted)
@@ -143,13 +145,8 @@ internal sealed class FastSimplifier
             Report(Removed(loops));
         }
 
-        int stamp = 0;
         foreach (CollapseLoop<TCost> loop in loops)
-        {
             Take(loop);
-            stamp = Math.Max(stamp, loop.Stamp);
-        }
-        return stamp;
     }
 
     private static int Removed<TCost>(CollapseLoop<TCost>[] loops)
@@ -168,7 +165,7 @@ internal sealed class FastSimplifier
         Working.Keys[edge] = cost.ReleaseKey(edge);
     }
 
-    private CollapseLoop<TCost> NewLoop<TCost>(TCost cost, BucketQueue queue, int stamp, Action<int>? report)
+    private CollapseLoop<TCost> NewLoop<TCost>(TCost cost, BucketQueue queue, Action<int>? report)
         where TCost : struct, IEdgeCost
     {
         double limit = options.MaxError is double error ? error / Working.Scale : double.PositiveInfinity;
@@ -182,6 +179,7 @@ internal sealed class FastSimplifier
         Working.FaceCount -= loop.FacesRemoved;
         Collapses += loop.Collapses;
         MaxMeanSquare = Math.Max(MaxMeanSquare, loop.MaxMeanSquare);
+        stamp = Math.Max(stamp, loop.Stamp);
     }
 
     private void Report(int facesRemoved) =>
