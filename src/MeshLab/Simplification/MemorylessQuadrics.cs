@@ -2,11 +2,11 @@ using MeshLab.Numerics;
 
 namespace MeshLab.Simplification;
 
-/// <summary>A cost from the faces as they are now (Lindstrom and Turk 1998, "memoryless"), with an eighth of the summed quadrics, which remember the original.
+/// <summary>A cost from the faces as they are now (Lindstrom and Turk 1998, "memoryless"), with a tenth of the summed quadrics, which remember the original.
 /// Sums of quadrics count a plane up to three times and keep planes that are long gone; near the end of a simplification that costs accuracy.</summary>
 internal readonly struct MemorylessQuadrics : IEdgeCost
 {
-    private const double HistoryWeight = 0.12;
+    private const double HistoryWeight = 0.1;
     private readonly WorkingMesh mesh;
     private readonly UncheckedArray<HalfEdgeRow> rows;
     private readonly VertexQuadrics planes;
@@ -46,9 +46,9 @@ internal readonly struct MemorylessQuadrics : IEdgeCost
         sum.Add(in history[v], HistoryWeight);
         // The faces beside the edge are in both sums, and will be gone.
         if (rows[h].Face >= 0)
-            planes.AddFace(ref sum, u, v, rows[rows[h].Next].Target, -1);
+            planes.AddFace(ref sum, rows[h].Face, -1);
         if (rows[h + 1].Face >= 0)
-            planes.AddFace(ref sum, v, u, rows[rows[h + 1].Next].Target, -1);
+            planes.AddFace(ref sum, rows[h + 1].Face, -1);
         weight = sum.Weight;
         return placement.Choose(in sum, edge, u, v, out position);
     }

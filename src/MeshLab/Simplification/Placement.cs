@@ -43,13 +43,13 @@ internal readonly struct Placement(WorkingMesh mesh, VertexPlacement placement)
         }
         else if (!quadric.TryMinimize(out position, out cost))
         {
-            cost = BestOfThree(in quadric, a, b, out position);
+            cost = BestOnEdge(in quadric, a, b, out position);
         }
         return cost > 0 ? cost : 0;
     }
 
-    /// <summary>The best of the midpoint and the ends, where the quadric has no unique minimum.</summary>
-    private static double BestOfThree(ref readonly Quadric quadric, Vector3D a, Vector3D b, out Vector3D position)
+    /// <summary>The best of the midpoint, the ends and the point in between, where the quadric has no unique minimum.</summary>
+    private static double BestOnEdge(ref readonly Quadric quadric, Vector3D a, Vector3D b, out Vector3D position)
     {
         position = (a + b) * 0.5;
         double cost = quadric.At(position), costA = quadric.At(a), costB = quadric.At(b);
@@ -57,6 +57,11 @@ internal readonly struct Placement(WorkingMesh mesh, VertexPlacement placement)
             (cost, position) = (costA, a);
         if (costB < cost)
             (cost, position) = (costB, b);
+        // Where planes meet in a line, a point along the edge may be better still.
+        Vector3D along = Vector3D.Lerp(a, b, quadric.MinimizeOnSegment(a, b));
+        double costAlong = quadric.At(along);
+        if (costAlong < cost)
+            (cost, position) = (costAlong, along);
         return cost;
     }
 }
