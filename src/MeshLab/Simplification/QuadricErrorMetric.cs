@@ -8,7 +8,7 @@ namespace MeshLab.Simplification;
 /// Garland and Heckbert 1997: the cost of putting the two ends of an edge at p is the sum of the squared distances of p to the planes of the faces that the
 /// ends stand for, q(p) = pᵀA p + 2 bᵀp + c, a <see cref="Quadric"/>; p is where it is smallest, A p = −b. Edges of equal cost go by index, so the result is the
 /// same on every run, machine and number of threads. The work is done on a private copy in a box of unit diagonal: a call that is cancelled or throws leaves the
-/// mesh as it was. At the end the mesh given is replaced by the result without gaps, its elements in the old order; handles from before are void.
+/// mesh as it was (textbook mode works on the mesh itself and leaves it valid, simplified so far). At the end the mesh given is replaced by the result without gaps, its elements in the old order; handles from before are void.
 /// Topology (components, boundary loops, Euler characteristic) never changes. Vertex traits are blended by where the new vertex lies along the edge, corner traits
 /// likewise on either side of a seam, faces keep their traits and labels.
 /// Cost: O(n log n) with a small constant; memory of fast mode about twice that of the mesh, beside the mesh itself.
@@ -35,9 +35,11 @@ public static class QuadricErrorMetric
             int target = TargetOf(mesh, options);
             SimplificationInput.CheckTriangles(mesh);
             cancellationToken.ThrowIfCancellationRequested();
-            SimplificationInput.CheckNotRecorded(mesh);
+            if (options.Mode != QuadricMode.Textbook)
+                SimplificationInput.CheckNotRecorded(mesh);
             SimplificationResult result = options.Mode switch
             {
+                QuadricMode.Textbook => new TextbookQuadricSimplifier(mesh, options).Run(target, progress, cancellationToken),
                 QuadricMode.Accurate => RunAccurate(mesh, options, target, progress, cancellationToken),
                 _ => RunFast(mesh, options, target, progress, cancellationToken),
             };

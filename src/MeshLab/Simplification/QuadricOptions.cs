@@ -9,7 +9,8 @@ public enum QuadricMode
     /// <summary>As fast mode until three times the target, then costs from the current faces alone, then a guarded fit to the original surface.</summary>
     Accurate,
 
-    /// <summary>The book's steps with handles and an indexed heap, one edge after the other: to be read.</summary>
+    /// <summary>The book's steps with handles and an indexed heap, one edge after the other: to be read. The book's own program is this with
+    /// <see cref="QuadricOptions.AreaWeights"/> off, a free boundary and flips allowed. Vertices on features and seams are locked.</summary>
     Textbook,
 }
 
