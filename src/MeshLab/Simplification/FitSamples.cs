@@ -36,7 +36,7 @@ internal struct FaceSums
         G2 += wr * b.Z;
     }
 
-    public void Add(in FaceSums other)
+    public void Add(ref readonly FaceSums other)
     {
         Energy += other.Energy;
         Largest = Math.Max(Largest, other.Largest);
@@ -75,6 +75,7 @@ internal sealed class FitSamples
     private readonly UncheckedArray<double> centroidDistances;
     private bool isLocated;
 
+    /// <summary>Samples that are not yet located.</summary>
     /// <param name="mesh">The original.</param>
     /// <param name="vertices">Its vertices in working units.</param>
     /// <param name="survivors">Per vertex slot the vertex of the result that it went into; −1 for slots without faces.</param>
