@@ -76,8 +76,10 @@ public static class Laplacian
         var weight = new double[cotangent.Length / 2];
         Parallelism.ForBlocks(weight.Length, (from, to) =>
         {
+            Span<double> w = weight;
+            ReadOnlySpan<double> cot = cotangent;
             for (int e = from; e < to; e++)
-                weight[e] = Math.Max(smallest, 0.5 * (cotangent[2 * e] + cotangent[2 * e + 1]));
+                w[e] = Math.Max(smallest, 0.5 * (cot[2 * e] + cot[2 * e + 1]));
         });
         return weight;
     }
@@ -85,11 +87,11 @@ public static class Laplacian
     // Row i is read off by turning around vertex i once.
     internal static SparseMatrix Assemble(Mesh mesh, double[] weight, bool perHalfEdge)
     {
-        int[] next = mesh.next, target = mesh.target, outgoing = mesh.outgoing;
         int n = mesh.VertexSlots, shift = perHalfEdge ? 0 : 1;
         var rowStart = new int[n + 1];
         Parallelism.ForBlocks(n, (from, to) =>
         {
+            ReadOnlySpan<int> next = mesh.Next, outgoing = mesh.Outgoing;
             for (int v = from; v < to; v++)
             {
                 int first = outgoing[v], valence = 0;
@@ -114,6 +116,10 @@ public static class Laplacian
         var diagonal = new double[n];
         Parallelism.ForBlocks(n, (from, to) =>
         {
+            ReadOnlySpan<int> next = mesh.Next, target = mesh.Target, outgoing = mesh.Outgoing;
+            ReadOnlySpan<double> weights = weight;
+            Span<int> rowColumns = columns;
+            Span<double> rowValues = values;
             for (int v = from; v < to; v++)
             {
                 int first = outgoing[v];
@@ -123,9 +129,9 @@ public static class Laplacian
                 double sum = 0;
                 do
                 {
-                    double w = weight[h >> shift];
-                    columns[at] = target[h];
-                    values[at++] = -w;
+                    double w = weights[h >> shift];
+                    rowColumns[at] = target[h];
+                    rowValues[at++] = -w;
                     sum += w;
                     h = next[h ^ 1];
                 }

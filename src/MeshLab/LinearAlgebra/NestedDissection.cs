@@ -157,14 +157,15 @@ public static class NestedDissection
             below.Clear();
             crossing.Clear();
             double scale = (Bins - 0.001) / (high - low);
+            ReadOnlySpan<int> start = rowStart, neighbors = columns, parts = part;
+            ReadOnlySpan<double> heights = height;
             foreach (int v in order.AsSpan(from, to - from))
             {
-                double h = height[v], highest = h;
-                for (int k = rowStart[v]; k < rowStart[v + 1]; k++)
+                double h = heights[v], highest = h;
+                foreach (int u in neighbors[start[v]..start[v + 1]])
                 {
-                    int u = columns[k];
-                    if (part[u] == id && height[u] > highest)
-                        highest = height[u];
+                    if (parts[u] == id && heights[u] > highest)
+                        highest = heights[u];
                 }
                 int bin = (int)((h - low) * scale), last = (int)((highest - low) * scale);
                 below[bin + 1]++;
@@ -208,22 +209,24 @@ public static class NestedDissection
         // Hoare's quickselect: afterwards order[from..k) is nowhere higher than order[k..].
         private void SelectByHeight(int low, int high, int k)
         {
+            Span<int> rows = order;
+            ReadOnlySpan<double> heights = height;
             while (high > low)
             {
-                double a = height[order[low]], b = height[order[(low + high) >> 1]], c = height[order[high]];
+                double a = heights[rows[low]], b = heights[rows[(low + high) >> 1]], c = heights[rows[high]];
                 double pivot = Math.Max(Math.Min(a, b), Math.Min(Math.Max(a, b), c));
                 int i = low - 1, j = high + 1;
                 while (true)
                 {
                     do
                         i++;
-                    while (height[order[i]] < pivot);
+                    while (heights[rows[i]] < pivot);
                     do
                         j--;
-                    while (height[order[j]] > pivot);
+                    while (heights[rows[j]] > pivot);
                     if (i >= j)
                         break;
-                    (order[i], order[j]) = (order[j], order[i]);
+                    (rows[i], rows[j]) = (rows[j], rows[i]);
                 }
                 if (k <= j)
                     high = j;
@@ -236,13 +239,14 @@ public static class NestedDissection
         private int TakeSmallerBorder(int from, int to, int id)
         {
             int left = from, right = to;
+            ReadOnlySpan<int> start = rowStart, neighbors = columns, parts = part;
+            ReadOnlySpan<byte> sides = side;
             foreach (int v in order.AsSpan(from, to - from))
             {
-                int across = side[v] ^ 1;
-                for (int k = rowStart[v]; k < rowStart[v + 1]; k++)
+                int across = sides[v] ^ 1;
+                foreach (int u in neighbors[start[v]..start[v + 1]])
                 {
-                    int u = columns[k];
-                    if (side[u] != across || part[u] != id)
+                    if (sides[u] != across || parts[u] != id)
                         continue;
                     if (across == Right)
                         buffer[left++] = v;
@@ -267,6 +271,7 @@ public static class NestedDissection
         // with it. The passes favour the sides in turn.
         private void Thin(int from, int count, int id)
         {
+            ReadOnlySpan<int> start = rowStart, neighbors = columns, parts = part;
             for (int pass = 0; pass < RefinementPasses; pass++)
             {
                 bool changed = false;
@@ -274,10 +279,9 @@ public static class NestedDissection
                 {
                     int v = buffer[i];
                     int lefts = 0, rights = 0, lastRight = -1, lastLeft = -1;
-                    for (int k = rowStart[v]; k < rowStart[v + 1]; k++)
+                    foreach (int u in neighbors[start[v]..start[v + 1]])
                     {
-                        int u = columns[k];
-                        if (part[u] != id)
+                        if (parts[u] != id)
                             continue;
                         if (side[u] == Left)
                         {
@@ -319,20 +323,15 @@ public static class NestedDissection
         // Puts the left part first, then the right part, then the separator, each in the order it had.
         private (int Left, int Right) Group(int from, int to)
         {
-            int left = 0, right = 0;
+            ReadOnlySpan<byte> sides = side;
+            Span<int> grouped = buffer, counts = stackalloc int[3], next = stackalloc int[3];
+            counts.Clear();
             foreach (int v in order.AsSpan(from, to - from))
-            {
-                if (side[v] == Left)
-                    left++;
-                else if (side[v] == Right)
-                    right++;
-            }
-            int nextLeft = from, nextRight = from + left, nextSeparator = from + left + right;
+                counts[sides[v]]++;
+            (int left, int right) = (counts[Left], counts[Right]);
+            (next[Left], next[Right], next[Separator]) = (from, from + left, from + left + right);
             foreach (int v in order.AsSpan(from, to - from))
-            {
-                int place = side[v] == Left ? nextLeft++ : side[v] == Right ? nextRight++ : nextSeparator++;
-                buffer[place] = v;
-            }
+                grouped[next[sides[v]]++] = v;
             buffer.AsSpan(from, to - from).CopyTo(order.AsSpan(from, to - from));
             return (left, right);
         }

@@ -243,8 +243,10 @@ public sealed class SparseMatrix
         {
             for (int i = from; i < to; i++)
             {
-                for (int k = rowStart[oldRow[i]]; k < rowStart[oldRow[i] + 1]; k++)
-                    start[i + 1] += number[columns[k]] >= 0 ? 1 : 0;
+                int count = 0;
+                foreach (int j in columns.AsSpan(rowStart[oldRow[i]], rowStart[oldRow[i] + 1] - rowStart[oldRow[i]]))
+                    count += number[j] >= 0 ? 1 : 0;
+                start[i + 1] = count;
             }
         });
         for (int i = 0; i < size; i++)
@@ -255,16 +257,20 @@ public sealed class SparseMatrix
         var kept = new double[size];
         Parallelism.ForBlocks(size, (from, to) =>
         {
+            ReadOnlySpan<int> newNumber = number;
             for (int i = from; i < to; i++)
             {
                 kept[i] = diagonal[oldRow[i]];
-                int at = start[i];
-                for (int k = rowStart[oldRow[i]]; k < rowStart[oldRow[i] + 1]; k++)
+                int at = start[i], first = rowStart[oldRow[i]], count = rowStart[oldRow[i] + 1] - first;
+                ReadOnlySpan<int> oldColumns = columns.AsSpan(first, count);
+                ReadOnlySpan<double> oldValues = values.AsSpan(first, count);
+                for (int k = 0; k < count; k++)
                 {
-                    if (number[columns[k]] < 0)
+                    int j = newNumber[oldColumns[k]];
+                    if (j < 0)
                         continue;
-                    column[at] = number[columns[k]];
-                    value[at++] = values[k];
+                    column[at] = j;
+                    value[at++] = oldValues[k];
                 }
             }
         });
