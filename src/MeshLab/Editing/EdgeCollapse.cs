@@ -115,7 +115,7 @@ public static class EdgeCollapse
         // The third corner of a loop of three edges; that of a hole counts too, so that it is refused for what it is.
         int c = next[next[next[h]]] == h ? target[next[h]] : -1;
         int d = next[next[next[t]]] == t ? target[next[t]] : -1;
-        if (HaveOtherNeighborInCommon(mesh, u, v, c, d) || ShareAnotherFace(mesh, h, v))
+        if (ViolatesLinkCondition(mesh, h, c, d))
             return CollapseRefusal.LinkCondition;
 
         bool isInner = face[h] >= 0 && face[t] >= 0;
@@ -131,36 +131,55 @@ public static class EdgeCollapse
         return CollapseRefusal.None;
     }
 
+    /// <summary>Whether u and v have a neighbour in common besides c and d, or a polygon not beside the edge.</summary>
     [SkipLocalsInit]
-    private static bool HaveOtherNeighborInCommon(Mesh mesh, int u, int v, int c, int d)
+    private static bool ViolatesLinkCondition(Mesh mesh, int h, int c, int d)
     {
-        int[] next = mesh.next, target = mesh.target;
-        Span<int> ofV = stackalloc int[SmallValence];
-        int count = 0, start = mesh.outgoing[v], h = start;
-        do
+        int[] next = mesh.next, target = mesh.target, face = mesh.face;
+        int t = h ^ 1, v = target[h], leftFace = face[h], rightFace = face[t];
+        Span<int> others = stackalloc int[SmallValence];
+        int count = 0;
+        // Clockwise around u, from the spoke after h back to it.
+        for (int spoke = next[t]; spoke != h; spoke = next[spoke ^ 1])
         {
-            if (count == SmallValence)
-                return HaveOtherNeighborInCommonSlowly(mesh, u, v, c, d);
-            ofV[count++] = target[h];
-            h = next[h ^ 1];
-        }
-        while (h != start);
-
-        ofV = ofV[..count];
-        start = h = mesh.outgoing[u];
-        do
-        {
-            int w = target[h];
-            if (w != c && w != d && ofV.Contains(w))
+            int w = target[spoke], f = face[spoke];
+            if (f >= 0 && f != leftFace && f != rightFace && next[next[next[spoke]]] != spoke && HasCorner(mesh, spoke, v))
                 return true;
-            h = next[h ^ 1];
+            if (w == c || w == d)
+                continue;
+            if (count < SmallValence)
+                others[count] = w;
+            count++;
         }
-        while (h != start);
+        if (count == 0)
+            return false;
+        if (count > SmallValence)
+            return HaveNeighborInCommonAtHub(mesh, target[t], v, c, d);
+
+        others = others[..count];
+        for (int spoke = next[h]; spoke != t; spoke = next[spoke ^ 1])
+        {
+            if (others.Contains(target[spoke]))
+                return true;
+        }
         return false;
     }
 
-    /// <summary>For hubs: the neighbours of the hub are sorted once, so that the time does not grow with the product of the valences.</summary>
-    private static bool HaveOtherNeighborInCommonSlowly(Mesh mesh, int u, int v, int c, int d)
+    private static bool HasCorner(Mesh mesh, int halfEdge, int v)
+    {
+        int k = halfEdge;
+        do
+        {
+            if (mesh.target[k] == v)
+                return true;
+            k = mesh.next[k];
+        }
+        while (k != halfEdge);
+        return false;
+    }
+
+    /// <summary>For hubs: one end's neighbours are sorted, so that the time does not grow with the product of the valences.</summary>
+    private static bool HaveNeighborInCommonAtHub(Mesh mesh, int u, int v, int c, int d)
     {
         int[] ofV = ArrayPool<int>.Shared.Rent(new Vertex(mesh, v).Valence);
         int count = 0;
@@ -172,26 +191,6 @@ public static class EdgeCollapse
             found |= w.Index != c && w.Index != d && Array.BinarySearch(ofV, 0, count, w.Index) >= 0;
         ArrayPool<int>.Shared.Return(ofV);
         return found;
-    }
-
-    /// <summary>Whether a polygon at u, not beside the edge, has v as a corner. Triangles cannot.</summary>
-    private static bool ShareAnotherFace(Mesh mesh, int h, int v)
-    {
-        int[] next = mesh.next, target = mesh.target, face = mesh.face;
-        int t = h ^ 1;
-        // Clockwise from h; the spoke after it bounds the edge's own right face, and h itself its left one.
-        for (int spoke = next[t]; spoke != h; spoke = next[spoke ^ 1])
-        {
-            int f = face[spoke];
-            if (f < 0 || f == face[h] || f == face[t] || next[next[next[spoke]]] == spoke)
-                continue;
-            for (int k = next[spoke]; k != spoke; k = next[k])
-            {
-                if (target[k] == v)
-                    return true;
-            }
-        }
-        return false;
     }
 
     private static bool IsTetrahedron(Mesh mesh, int h)

@@ -3,7 +3,17 @@ using MeshLab.Structure;
 
 namespace MeshLab.Editing;
 
-/// <summary>§4 边分割 (edge split): puts a vertex on an edge. Triangles beside it become two; polygons only get the vertex.</summary>
+/// <summary>Why an edge cannot be split.</summary>
+public enum EdgeSplitRefusal
+{
+    /// <summary>It can.</summary>
+    None,
+
+    /// <summary>The triangles on both sides have the same third vertex: the new vertex would be joined to it twice.</summary>
+    SameApex,
+}
+
+/// <summary>§4.8 边分割 (edge split): puts a vertex on an edge. Triangles beside it become two; polygons only get the vertex.</summary>
 /// <remarks>
 /// <code>
 ///        c                  c
@@ -13,7 +23,7 @@ namespace MeshLab.Editing;
 ///        d                  d
 /// </code>
 /// The edge keeps its index with the part at <c>a</c>, its faces keep theirs with the triangles at <c>a</c>. New: <c>m</c>, the edge <c>m–b</c>,
-/// and for each triangle one more edge and one more face. Any live edge can be split, an outer one too, so there is nothing to refuse.
+/// and for each triangle one more edge and one more face. Outer edges too. Refused only where the two triangles have the same apex.
 /// Traits: <c>m</c> and its corners get blends of those at <c>a</c> and <c>b</c>, by where the point lies along the edge; the new part of
 /// the edge and the new faces get copies; the edges to <c>c</c> and <c>d</c> the default. Cost: O(1).
 /// </remarks>
@@ -21,12 +31,34 @@ public static class EdgeSplit
 {
     extension(Edge edge)
     {
+        /// <summary>Whether <c>Split</c> would succeed; the mesh is not touched.</summary>
+        /// <param name="why">The reason if not.</param>
+        /// <exception cref="ArgumentException">The edge is none or deleted.</exception>
+        public bool CanSplit(out EdgeSplitRefusal why) => (why = Examine(edge)) == EdgeSplitRefusal.None;
+
+        /// <summary>Puts a vertex on the edge, or leaves the mesh exactly as it was and says why.</summary>
+        /// <param name="position">Where it lies; it need not be on the straight line.</param>
+        /// <param name="created">The new vertex.</param>
+        /// <param name="why">The reason if the edge was not split.</param>
+        /// <exception cref="ArgumentException">The edge is none or deleted, or the position is not finite.</exception>
+        public bool TrySplit(Vector3D position, out Vertex created, out EdgeSplitRefusal why)
+        {
+            position.ThrowIfNotFinite(nameof(position));
+            why = Examine(edge);
+            created = default;
+            if (why != EdgeSplitRefusal.None)
+                return false;
+            created = Apply(edge, position, position.ParameterBetween(edge.Vertex0.Position, edge.Vertex1.Position));
+            return true;
+        }
+
         /// <summary>Puts a vertex on the middle of the edge.</summary>
         /// <returns>The new vertex.</returns>
         /// <exception cref="ArgumentException">The edge is none or deleted.</exception>
+        /// <exception cref="TopologyException">It cannot be split; the message names the edge and the reason.</exception>
         public Vertex Split()
         {
-            edge.ThrowIfDead();
+            ThrowIfRefused(edge);
             return Apply(edge, (edge.Vertex0.Position + edge.Vertex1.Position) * 0.5, 0.5);
         }
 
@@ -34,12 +66,28 @@ public static class EdgeSplit
         /// <param name="position">Where it lies; it need not be on the straight line.</param>
         /// <returns>The new vertex.</returns>
         /// <exception cref="ArgumentException">The edge is none or deleted, or the position is not finite.</exception>
+        /// <exception cref="TopologyException">It cannot be split; the message names the edge and the reason.</exception>
         public Vertex Split(Vector3D position)
         {
-            edge.ThrowIfDead();
             position.ThrowIfNotFinite(nameof(position));
+            ThrowIfRefused(edge);
             return Apply(edge, position, position.ParameterBetween(edge.Vertex0.Position, edge.Vertex1.Position));
         }
+    }
+
+    private static EdgeSplitRefusal Examine(Edge edge)
+    {
+        edge.ThrowIfDead();
+        HalfEdge h = edge.HalfEdge0, back = h.Twin;
+        bool twoTriangles = !h.IsBoundary && !back.IsBoundary && h.Next.Next.Next == h && back.Next.Next.Next == back;
+        return twoTriangles && h.Next.Target == back.Next.Target ? EdgeSplitRefusal.SameApex : EdgeSplitRefusal.None;
+    }
+
+    private static void ThrowIfRefused(Edge edge)
+    {
+        EdgeSplitRefusal why = Examine(edge);
+        if (why != EdgeSplitRefusal.None)
+            throw new TopologyException($"{edge} cannot be split: {why}.", edge.ToString());
     }
 
     private static Vertex Apply(Edge edge, Vector3D position, double t)

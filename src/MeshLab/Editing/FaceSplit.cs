@@ -56,39 +56,39 @@ public static class FaceSplit
         Mesh mesh = face.Mesh;
         using OperationScope operation = mesh.BeginOperation(OperationKind.FaceSplit, face.Index);
         Vertex m = mesh.NewVertex(position);
-        HalfEdge first = face.HalfEdge, last = first.Previous;
-        HalfEdge firstSpoke = mesh.NewEdge(first.Source, m);
-        BlendCorners(mesh, first, m, firstSpoke);
+        int first = face.HalfEdge.Index, last = mesh.previous[first];
+        int firstSpoke = mesh.NewEdge(mesh.target[last], m.Index);
+        BlendCorners(mesh, new(mesh, first), m, new(mesh, firstSpoke));
 
         // Each side closes its triangle with the spoke from its end to m and the one from m back to its start.
-        HalfEdge side = first, before = last, fromStart = firstSpoke;
+        int side = first, before = last, fromStart = firstSpoke;
         do
         {
-            HalfEdge next = side.Next;
-            HalfEdge fromEnd = side == last ? firstSpoke : NewSpoke(mesh, side.Target, m, firstSpoke);
-            Face triangle = side == first ? face : NewFaceLike(mesh, face);
-            mesh.CopyTraits(ElementKind.HalfEdge, before.Index, fromStart.Twin.Index);
-            mesh.LinkTriangle(triangle, side, fromEnd, fromStart.Twin);
+            int next = mesh.next[side];
+            int fromEnd = side == last ? firstSpoke : NewSpoke(mesh, mesh.target[side], m.Index, firstSpoke);
+            int triangle = side == first ? face.Index : NewFaceLike(mesh, face.Index);
+            mesh.CopyTraits(ElementKind.HalfEdge, before, fromStart ^ 1);
+            mesh.LinkTriangle(triangle, side, fromEnd, fromStart ^ 1);
             (before, side, fromStart) = (side, next, fromEnd);
         }
         while (side != first);
-        mesh.SetOutgoing(m, firstSpoke.Twin);
+        mesh.SetOutgoing(m.Index, firstSpoke ^ 1);
         operation.Complete();
         return m;
     }
 
-    private static HalfEdge NewSpoke(Mesh mesh, Vertex corner, Vertex m, HalfEdge like)
+    private static int NewSpoke(Mesh mesh, int corner, int m, int like)
     {
-        HalfEdge spoke = mesh.NewEdge(corner, m);
-        mesh.CopyTraits(ElementKind.HalfEdge, like.Index, spoke.Index);
+        int spoke = mesh.NewEdge(corner, m);
+        mesh.CopyTraits(ElementKind.HalfEdge, like, spoke);
         return spoke;
     }
 
-    private static Face NewFaceLike(Mesh mesh, Face face)
+    private static int NewFaceLike(Mesh mesh, int face)
     {
         Face f = mesh.NewFace();
-        mesh.CopyTraits(ElementKind.Face, face.Index, f.Index);
-        return f;
+        mesh.CopyTraits(ElementKind.Face, face, f.Index);
+        return f.Index;
     }
 
     /// <summary>Gives m, and the first corner at it, the mean of all corners of the face, added one by one.</summary>

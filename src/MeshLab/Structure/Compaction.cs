@@ -24,14 +24,88 @@ public sealed partial class Mesh
     /// <exception cref="InvalidOperationException">The operations are being recorded: undoing across a renumbering is not possible.</exception>
     public CompactionMaps Compact()
     {
-        var maps = new CompactionMaps(
-            LiveNumbers(vertexSlots, v => outgoing[v] != DeletedVertexMark),
-            new int[halfEdgeSlots],
-            LiveNumbers(EdgeSlots, e => next[2 * e] >= 0),
-            LiveNumbers(faceSlots, f => halfEdgeOf[f] >= 0));
-        FollowEdges(maps);
-        Renumber(maps, vertexCount, edgeCount, faceCount);
+        if (Listener is not null)
+            throw new InvalidOperationException("Elements cannot be renumbered while operations are recorded.");
+        CompactionMaps maps = NumberLiveElements();
+        MoveVerticesDown(maps);
+        MoveHalfEdgesDown(maps);
+        MoveFacesDown(maps);
+        (vertexSlots, halfEdgeSlots, faceSlots) = (vertexCount, 2 * edgeCount, faceCount);
+        CompactTraits(maps);
         return maps;
+    }
+
+    private CompactionMaps NumberLiveElements()
+    {
+        int[] vertices = GC.AllocateUninitializedArray<int>(vertexSlots), halfEdges = GC.AllocateUninitializedArray<int>(halfEdgeSlots);
+        int[] edges = GC.AllocateUninitializedArray<int>(EdgeSlots), faces = GC.AllocateUninitializedArray<int>(faceSlots);
+        int live = 0;
+        for (int v = 0; v < vertices.Length; v++)
+            vertices[v] = outgoing[v] != DeletedVertexMark ? live++ : -1;
+        live = 0;
+        for (int e = 0; e < edges.Length; e++)
+        {
+            int to = next[2 * e] >= 0 ? live++ : -1;
+            edges[e] = to;
+            halfEdges[2 * e] = to < 0 ? -1 : 2 * to;
+            halfEdges[2 * e + 1] = to < 0 ? -1 : 2 * to + 1;
+        }
+        live = 0;
+        for (int f = 0; f < faces.Length; f++)
+            faces[f] = halfEdgeOf[f] >= 0 ? live++ : -1;
+        return new(vertices, halfEdges, edges, faces);
+    }
+
+    // Nothing moves to a higher place, so that each column is rewritten where it is.
+    private void MoveVerticesDown(CompactionMaps maps)
+    {
+        int[] map = maps.Vertices, halfEdges = maps.HalfEdges;
+        for (int v = 0; v < map.Length; v++)
+        {
+            int to = map[v];
+            if (to < 0)
+                continue;
+            positions[to] = positions[v];
+            outgoing[to] = outgoing[v] < 0 ? outgoing[v] : halfEdges[outgoing[v]];
+        }
+    }
+
+    private void MoveHalfEdgesDown(CompactionMaps maps)
+    {
+        int[] map = maps.HalfEdges, vertices = maps.Vertices, faces = maps.Faces;
+        int[] n = next, p = previous, t = target, f = face;
+        for (int h = 0; h < map.Length; h++)
+        {
+            int to = map[h];
+            if (to < 0)
+                continue;
+            n[to] = map[n[h]];
+            p[to] = map[p[h]];
+            t[to] = vertices[t[h]];
+            f[to] = f[h] < 0 ? -1 : faces[f[h]];
+        }
+    }
+
+    private void MoveFacesDown(CompactionMaps maps)
+    {
+        int[] map = maps.Faces, halfEdges = maps.HalfEdges;
+        for (int f = 0; f < map.Length; f++)
+        {
+            if (map[f] >= 0)
+                halfEdgeOf[map[f]] = halfEdges[halfEdgeOf[f]];
+        }
+    }
+
+    private void CompactTraits(CompactionMaps maps)
+    {
+        foreach (Trait trait in vertexTraits)
+            trait.Compact(maps.Vertices, vertexSlots);
+        foreach (Trait trait in halfEdgeTraits)
+            trait.Compact(maps.HalfEdges, halfEdgeSlots);
+        foreach (Trait trait in edgeTraits)
+            trait.Compact(maps.Edges, EdgeSlots);
+        foreach (Trait trait in faceTraits)
+            trait.Compact(maps.Faces, faceSlots);
     }
 
     /// <summary>Gives every element the index that the maps say. Half-edge maps must keep twins together.</summary>
@@ -76,14 +150,7 @@ public sealed partial class Mesh
         (halfEdgeSlots, edgeCount) = (2 * edges, edges);
         (faceSlots, faceCount) = (faces, faces);
 
-        foreach (Trait trait in vertexTraits)
-            trait.Compact(maps.Vertices, vertices);
-        foreach (Trait trait in halfEdgeTraits)
-            trait.Compact(maps.HalfEdges, 2 * edges);
-        foreach (Trait trait in edgeTraits)
-            trait.Compact(maps.Edges, edges);
-        foreach (Trait trait in faceTraits)
-            trait.Compact(maps.Faces, faces);
+        CompactTraits(maps);
     }
 
     /// <summary>Adds a copy of another mesh as further components; deleted elements stay deleted. Traits of the same name and type come along,
@@ -153,24 +220,6 @@ public sealed partial class Mesh
                 int label = theirs.Labels[f];
                 mine.Labels[first.FirstFace + f] = label < 0 ? label : mine.Number(theirs.Names[label]);
             }
-        }
-    }
-
-    private static int[] LiveNumbers(int slots, Func<int, bool> isLive)
-    {
-        var numbers = new int[slots];
-        int live = 0;
-        for (int i = 0; i < slots; i++)
-            numbers[i] = isLive(i) ? live++ : -1;
-        return numbers;
-    }
-
-    private static void FollowEdges(CompactionMaps maps)
-    {
-        for (int h = 0; h < maps.HalfEdges.Length; h++)
-        {
-            int e = maps.Edges[h >> 1];
-            maps.HalfEdges[h] = e < 0 ? -1 : 2 * e + (h & 1);
         }
     }
 

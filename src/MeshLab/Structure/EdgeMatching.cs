@@ -23,7 +23,7 @@ internal static class EdgeMatching
         return edges < 0 ? null : halfEdge;
     }
 
-    private static int ByLists(PolygonSoup soup, int[] halfEdge, long budget, out bool spent)
+    internal static int ByLists(PolygonSoup soup, int[] halfEdge, long budget, out bool spent)
     {
         int[] corners = soup.Corners, start = soup.FaceStart;
         var head = new int[soup.VertexCount];
@@ -71,7 +71,7 @@ internal static class EdgeMatching
         return edges;
     }
 
-    private static int ByCounting(PolygonSoup soup, int[] halfEdge)
+    internal static int ByCounting(PolygonSoup soup, int[] halfEdge)
     {
         int[] corners = soup.Corners, start = soup.FaceStart;
         int[] offset = CountBySmaller(soup);

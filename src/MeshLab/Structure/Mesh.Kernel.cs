@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 
 namespace MeshLab.Structure;
@@ -74,90 +75,115 @@ public sealed partial class Mesh
     internal Vertex NewVertex(Vector3D position)
     {
         int v = vertexSlots;
-        EnsureVertexCapacity(v + 1);
-        vertexSlots++;
+        if (v == positions.Length)
+            EnsureVertexCapacity(v + 1);
+        vertexSlots = v + 1;
         vertexCount++;
         positions[v] = position;
         outgoing[v] = Isolated;
-        foreach (Trait trait in vertexTraits)
-            trait.Grow(vertexSlots);
+        if (vertexTraits.Count > 0)
+            GrowTraits(vertexTraits, vertexSlots);
         return new(this, v);
     }
 
     /// <summary>A new edge; its first half-edge goes from <paramref name="from"/> to <paramref name="to"/>. Links are still to be set.</summary>
-    internal HalfEdge NewEdge(Vertex from, Vertex to)
+    internal HalfEdge NewEdge(Vertex from, Vertex to) => new(this, NewEdge(from.index, to.index));
+
+    /// <inheritdoc cref="NewEdge(Vertex, Vertex)"/>
+    internal int NewEdge(int from, int to)
     {
         int h = halfEdgeSlots;
-        EnsureHalfEdgeCapacity(h + 2);
-        halfEdgeSlots += 2;
+        if (h + 2 > next.Length)
+            EnsureHalfEdgeCapacity(h + 2);
+        halfEdgeSlots = h + 2;
         edgeCount++;
-        target[h] = to.index;
-        target[h + 1] = from.index;
+        target[h] = to;
+        target[h + 1] = from;
         face[h] = face[h + 1] = -1;
         next[h] = previous[h] = h + 1;
         next[h + 1] = previous[h + 1] = h;
-        foreach (Trait trait in halfEdgeTraits)
-            trait.Grow(halfEdgeSlots);
-        foreach (Trait trait in edgeTraits)
-            trait.Grow(EdgeSlots);
-        return new(this, h);
+        if (halfEdgeTraits.Count > 0)
+            GrowTraits(halfEdgeTraits, halfEdgeSlots);
+        if (edgeTraits.Count > 0)
+            GrowTraits(edgeTraits, EdgeSlots);
+        return h;
     }
 
     internal Face NewFace()
     {
         int f = faceSlots;
-        EnsureFaceCapacity(f + 1);
-        faceSlots++;
+        if (f == halfEdgeOf.Length)
+            EnsureFaceCapacity(f + 1);
+        faceSlots = f + 1;
         faceCount++;
         halfEdgeOf[f] = 0;
-        foreach (Trait trait in faceTraits)
-            trait.Grow(faceSlots);
+        if (faceTraits.Count > 0)
+            GrowTraits(faceTraits, faceSlots);
         return new(this, f);
     }
 
+    private static void GrowTraits(List<Trait> traits, int slots)
+    {
+        foreach (Trait trait in traits)
+            trait.Grow(slots);
+    }
+
     /// <summary>Makes <paramref name="second"/> follow <paramref name="first"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void SetNext(HalfEdge first, HalfEdge second) => SetNext(first.index, second.index);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void SetNext(int first, int second)
     {
         if (journal is not null)
         {
-            journal.Write(Column.Next, first, next[first], second);
-            journal.Write(Column.Previous, second, previous[second], first);
+            Note(Column.Next, first, next[first], second);
+            Note(Column.Previous, second, previous[second], first);
         }
         next[first] = second;
         previous[second] = first;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void SetTarget(HalfEdge h, Vertex v) => SetTarget(h.index, v.index);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void SetTarget(int h, int v)
     {
-        journal?.Write(Column.Target, h, target[h], v);
+        if (journal is not null)
+            Note(Column.Target, h, target[h], v);
         target[h] = v;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void SetFace(HalfEdge h, Face f) => SetFace(h.index, f.Index);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void SetFace(int h, int f)
     {
-        journal?.Write(Column.Face, h, face[h], f);
+        if (journal is not null)
+            Note(Column.Face, h, face[h], f);
         face[h] = f;
     }
 
     internal void SetOutgoing(Vertex v, HalfEdge h) => SetOutgoing(v.index, h.IsNone ? Isolated : h.index);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void SetOutgoing(int v, int h)
     {
-        journal?.Write(Column.Outgoing, v, outgoing[v], h);
+        if (journal is not null)
+            Note(Column.Outgoing, v, outgoing[v], h);
         outgoing[v] = h;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void SetHalfEdge(Face f, HalfEdge h) => SetHalfEdge(f.index, h.index);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal void SetHalfEdge(int f, int h)
     {
-        journal?.Write(Column.HalfEdgeOf, f, halfEdgeOf[f], h);
+        if (journal is not null)
+            Note(Column.HalfEdgeOf, f, halfEdgeOf[f], h);
         halfEdgeOf[f] = h;
     }
 
@@ -167,8 +193,15 @@ public sealed partial class Mesh
         positions[v.index] = position;
     }
 
+    /// <summary>Kept out of the writes above, so that they stay small enough to be inlined.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Note(Column column, int index, int before, int after) => journal!.Write(column, index, before, after);
+
     /// <summary>Links three half-edges into a triangle, with <paramref name="a"/> as the face's first half-edge.</summary>
-    internal void LinkTriangle(Face f, HalfEdge a, HalfEdge b, HalfEdge c)
+    internal void LinkTriangle(Face f, HalfEdge a, HalfEdge b, HalfEdge c) => LinkTriangle(f.index, a.index, b.index, c.index);
+
+    /// <inheritdoc cref="LinkTriangle(Face, HalfEdge, HalfEdge, HalfEdge)"/>
+    internal void LinkTriangle(int f, int a, int b, int c)
     {
         SetNext(a, b);
         SetNext(b, c);
@@ -268,14 +301,28 @@ public sealed partial class Mesh
         }
     }
 
-    /// <summary>Makes room, so that the next additions do not move the columns.</summary>
+    /// <summary>Makes room for further elements, so that adding them does not move the columns; the mesh does not change.</summary>
+    /// <param name="vertices">How many vertices will be added.</param>
+    /// <param name="edges">How many edges.</param>
+    /// <param name="faces">How many faces.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is negative.</exception>
+    public void Reserve(int vertices, int edges, int faces)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(vertices);
+        ArgumentOutOfRangeException.ThrowIfNegative(edges);
+        ArgumentOutOfRangeException.ThrowIfNegative(faces);
+        EnsureVertexCapacity(checked(vertexSlots + vertices));
+        EnsureHalfEdgeCapacity(checked(halfEdgeSlots + 2 * edges));
+        EnsureFaceCapacity(checked(faceSlots + faces));
+    }
+
     internal void EnsureVertexCapacity(int count)
     {
         if (count <= positions.Length)
             return;
         int capacity = Growth.Capacity(positions.Length, count);
-        Array.Resize(ref positions, capacity);
-        Array.Resize(ref outgoing, capacity);
+        Growth.Resize(ref positions, vertexSlots, capacity);
+        Growth.Resize(ref outgoing, vertexSlots, capacity);
     }
 
     internal void EnsureHalfEdgeCapacity(int count)
@@ -283,23 +330,32 @@ public sealed partial class Mesh
         if (count <= next.Length)
             return;
         int capacity = Growth.Capacity(next.Length, count);
-        Array.Resize(ref next, capacity);
-        Array.Resize(ref previous, capacity);
-        Array.Resize(ref target, capacity);
-        Array.Resize(ref face, capacity);
+        Growth.Resize(ref next, halfEdgeSlots, capacity);
+        Growth.Resize(ref previous, halfEdgeSlots, capacity);
+        Growth.Resize(ref target, halfEdgeSlots, capacity);
+        Growth.Resize(ref face, halfEdgeSlots, capacity);
     }
 
     internal void EnsureFaceCapacity(int count)
     {
         if (count <= halfEdgeOf.Length)
             return;
-        Array.Resize(ref halfEdgeOf, Growth.Capacity(halfEdgeOf.Length, count));
+        Growth.Resize(ref halfEdgeOf, faceSlots, Growth.Capacity(halfEdgeOf.Length, count));
     }
 }
 
 /// <summary>How columns grow.</summary>
 internal static class Growth
 {
+    /// <summary>A larger column with the same first <paramref name="used"/> values; the rest is not cleared, every new slot is written before it is read.</summary>
+    public static void Resize<T>(ref T[] column, int used, int capacity)
+        where T : unmanaged
+    {
+        T[] larger = GC.AllocateUninitializedArray<T>(capacity);
+        column.AsSpan(0, used).CopyTo(larger);
+        column = larger;
+    }
+
     public static int Capacity(int current, int needed) => Math.Max(needed, (int)Math.Min(Array.MaxLength, Math.Max(8L, current + (long)(current >> 1))));
 }
 

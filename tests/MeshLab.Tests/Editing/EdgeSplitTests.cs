@@ -17,6 +17,19 @@ public class EdgeSplitTests
         [new(0, 0, 0), new(2, 0, 0), new(1, 1, 0), new(1, -1, 0)], [0, 1, 2, 1, 0, 3]);
 
     [Fact]
+    public void TrySplit_BothApexesOneVertex_RefusesAndLeavesTheMeshAlone()
+    {
+        Mesh mesh = MeshBuilder.FromFaces(3, [0, 1, 2], [0, 2, 1]);
+        ulong before = mesh.StateHash();
+        Assert.False(mesh.Edges[0].TrySplit(default, out Vertex created, out EdgeSplitRefusal why));
+        Assert.Equal(EdgeSplitRefusal.SameApex, why);
+        Assert.True(created.IsNone);
+        Assert.False(mesh.Edges[0].CanSplit(out _));
+        Assert.Throws<TopologyException>(() => mesh.Edges[0].Split());
+        Assert.Equal(before, mesh.StateHash());
+    }
+
+    [Fact]
     public void Split_DeletedOrNoneOrNotFinite_Throws()
     {
         Mesh mesh = TwoTriangles();
