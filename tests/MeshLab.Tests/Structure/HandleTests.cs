@@ -65,10 +65,10 @@ public class HandleTests
     {
         Mesh mesh = Models.Create("grid");
         mesh.Vertices[9].Delete();
-        Assert.Equal(mesh.Vertices.Count, mesh.Vertices.Count());
-        Assert.Equal(mesh.Edges.Count, mesh.Edges.Count());
-        Assert.Equal(mesh.Faces.Count, mesh.Faces.Count());
-        Assert.Equal(mesh.HalfEdges.Count, mesh.HalfEdges.Count());
+        Assert.Equal(mesh.Vertices.Count, mesh.Vertices.Select(x => x.Index).Distinct().Count());
+        Assert.Equal(mesh.Edges.Count, mesh.Edges.Select(x => x.Index).Distinct().Count());
+        Assert.Equal(mesh.Faces.Count, mesh.Faces.Select(x => x.Index).Distinct().Count());
+        Assert.Equal(mesh.HalfEdges.Count, mesh.HalfEdges.Select(x => x.Index).Distinct().Count());
         Assert.DoesNotContain(mesh.Vertices, v => v.IsDeleted);
         Assert.False(mesh.IsCompact);
     }

@@ -73,7 +73,7 @@ public class TraitTests
 
         Assert.Equal(Vector3D.UnitZ, mesh.Vertices[0].Traits.Normal);
         Assert.Equal((3, 4, new Color(1, 0, 0)), (mesh.Vertices[1].Traits.SelectedFlag, mesh.Edges[2].Traits.SelectedFlag, mesh.Faces[3].Traits.Color));
-        Assert.Equal([TraitNames.Normal, TraitNames.SelectedFlag], mesh.VertexTraits.Select(t => t.Name));
+        Assert.Equal($"{TraitNames.Normal} {TraitNames.SelectedFlag}", string.Join(' ', mesh.VertexTraits.Select(t => t.Name)));
     }
 
     [Fact]

@@ -1,0 +1,29 @@
+using MeshLab.Demos.Hosting;
+using MeshLab.Editing;
+using MeshLab.Structure;
+
+namespace MeshLab.Demos.Chapter04;
+
+/// <summary>§4.4 删除顶点: a vertex with its faces, the two-ring of another; both taken back.</summary>
+[Demo("4.4", "删除顶点", "Deleting vertices and rings")]
+public static class Section_4_4
+{
+    public static void Run(Mesh mesh, DemoOutput output)
+    {
+        ulong before = mesh.StateHash();
+        using OperationHistory history = mesh.StartRecording();
+
+        Vertex one = mesh.Vertices.First(v => !v.IsBoundary && v.CanDelete(out _));
+        int valence = one.Valence;
+        one.Delete();
+        output.Line($"{one} deleted with its {valence} faces; its link is a boundary now");
+
+        Vertex two = mesh.Vertices.Skip(mesh.Vertices.Count / 2).First(v => v.Neighbors.All(w => !w.IsBoundary));
+        two.DeleteTwoRing(new RemovalOptions { SplitPinched = true });
+        output.Line($"the two-ring of {two} deleted; violated rules: {mesh.Validate().Count}");
+        output.Picture("holes", mesh);
+
+        history.UndoAll();
+        output.Line($"undone, to the last bit: {mesh.StateHash() == before}");
+    }
+}
