@@ -8,7 +8,7 @@ namespace MeshLab.IO;
 /// <summary>A growing buffer of the bytes to be written: text in UTF-8 and the invariant culture, or binary.</summary>
 internal sealed class ByteBuffer
 {
-    private const int LongestNumber = 32;
+    private const int LongestNumber = 40;
     private byte[] bytes = GC.AllocateUninitializedArray<byte>(1 << 16);
 
     public int Length { get; private set; }
@@ -41,15 +41,13 @@ internal sealed class ByteBuffer
     {
         Span<byte> free = Reserve(LongestNumber);
         free[0] = (byte)' ';
-        number.TryFormat(free[1..], out int length, default, CultureInfo.InvariantCulture);
-        Length += length + 1;
+        Length += 1 + ShortestDecimal.Format(number, free[1..]);
     }
 
     /// <summary>The shortest text that gives the same double when read.</summary>
     public void AppendNumber(double number)
     {
-        number.TryFormat(Reserve(LongestNumber), out int length, default, CultureInfo.InvariantCulture);
-        Length += length;
+        Length += ShortestDecimal.Format(number, Reserve(LongestNumber));
     }
 
     /// <summary>A blank and the shortest text that gives the same float when read.</summary>
