@@ -10,8 +10,8 @@ internal sealed class FeatureLines
     // A line that turns by more than this at a vertex has a corner there: cos of π − 78°.
     private const double CornerCosine = -0.2;
 
-    // How far the middle of an edge may leave the input's lines, as a share of the length wanted.
-    private const double ChordTolerance = 0.03;
+    // How far an edge may leave the input's lines: a share of the length wanted, but not more than this share of the diagonal.
+    private const double ChordTolerance = 0.03, DiagonalTolerance = 4e-4;
 
     private readonly SegmentTree? _segments;
 
@@ -48,29 +48,42 @@ internal sealed class FeatureLines
             corners += surface.IsCorner[v] ? 1 : 0;
         }
         SegmentTree? tree = ends.Count == 0 ? null : SegmentTree.Build(mesh.Positions, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(ends));
-        return new(tree, ChordTolerance * length, features, corners);
+        return new(tree, Math.Min(ChordTolerance * length, DiagonalTolerance * mesh.BoundingBox.Diagonal), features, corners);
     }
 
     /// <summary>The point of the input's lines closest to a point.</summary>
     public Vector3D Project(Vector3D point) => _segments is null ? point : _segments.FindClosest(point).Point;
 
-    /// <summary>Whether a straight edge between two points of the lines stays close to them.</summary>
-    public bool AllowsChord(Vector3D a, Vector3D b) => _segments is null || _segments.IsWithin((a + b) * 0.5, _chord);
+    /// <summary>Whether a straight edge between two points of the lines may stand for the way over a third between them.</summary>
+    public bool AllowsChord(Vector3D a, Vector3D b, Vector3D between) =>
+        IsNear(a, b) && DistanceSquared(between, a, b) <= _chord * _chord;
 
     /// <summary>Where a vertex of a line goes: the line's point closest to the place wanted, unless an edge beside it would leave the line more than allowed.</summary>
     public Vector3D Slide(RemeshSurface s, int v, Vector3D place)
     {
-        Vector3D point = Project(place);
+        Vector3D old = s.Positions[v], point = Project(place);
+        double left = double.PositiveInfinity;
         int start = s.Outgoing[v], h = start;
         do
         {
-            if (s.OnLine[h >> 1] && !AllowsChord(point, s.Positions[s.Target[h]]))
-                return s.Positions[v];
+            if (s.OnLine[h >> 1])
+            {
+                Vector3D end = s.Positions[s.Target[h]];
+                if (!IsNear(point, end))
+                    return old;
+                left = Math.Min(left, DistanceSquared(old, point, end));
+            }
             h = s.Next[h ^ 1];
         }
         while (h != start);
-        return point;
+        // The place it leaves must still be close to one of the two edges.
+        return left <= _chord * _chord ? point : old;
     }
+
+    private bool IsNear(Vector3D a, Vector3D b) =>
+        _segments!.IsWithin((a + b) * 0.5, _chord) && _segments.IsWithin(Vector3D.Lerp(a, b, 0.25), _chord) && _segments.IsWithin(Vector3D.Lerp(a, b, 0.75), _chord);
+
+    private static double DistanceSquared(Vector3D p, Vector3D a, Vector3D b) => TriangleMath.ClosestDistanceSquared(p, a, b, b, out _);
 
     private static bool IsSharp(RemeshSurface s, int h, double featureAngle)
     {

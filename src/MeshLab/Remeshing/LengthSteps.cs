@@ -103,7 +103,7 @@ internal sealed class LengthSteps(RemeshSurface s, FeatureLines lines)
 
         bool free = s.LineCount[u] == 0 && s.LineCount[v] == 0;
         Vector3D position = free ? (s.Positions[u] + s.Positions[v]) * 0.5 : s.Positions[v];
-        if (onLine && !lines.AllowsChord(s.Positions[OtherLineNeighbor(u, h)], position))
+        if (onLine && !lines.AllowsChord(s.Positions[OtherLineNeighbor(u, h)], position, s.Positions[u]))
             return false;
         if (!RingAllows(u, h, position) || (free && !RingAllows(v, h, position)) || !s.CanCollapse(h))
             return false;
