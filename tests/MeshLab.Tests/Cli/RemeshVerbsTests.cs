@@ -1,0 +1,76 @@
+using System.Text.Json;
+using MeshLab.Cli.Hosting;
+using MeshLab.IO;
+using MeshLab.Structure;
+using Xunit;
+
+namespace MeshLab.Tests.Cli;
+
+/// <summary>The verbs distance and remesh, as their JSON says it.</summary>
+[Trait("Section", "7.4")]
+[Trait("Section", "L4")]
+public sealed class RemeshVerbsTests : IDisposable
+{
+    private readonly string folder = Directory.CreateTempSubdirectory("mlab-remesh").FullName;
+
+    public void Dispose() => Directory.Delete(folder, true);
+
+    [Fact]
+    public void Distance_MovedCopy_HasTheFieldsOfTheContract()
+    {
+        Mesh mesh = Models.Create("grid");
+        string a = Save(mesh, "a.obj");
+        foreach (Vertex v in mesh.Vertices)
+            v.Position += new MeshLab.Numerics.Vector3D(0, 0, 0.5);
+        JsonElement result = Run(0, "distance", a, Save(mesh, "b.obj"), "--samples", "1000", "--seed", "7");
+        foreach (string way in new[] { "forward", "backward" })
+        {
+            foreach (string name in new[] { "mean", "rms", "max" })
+                Assert.Equal(0.5, result.GetProperty(way).GetProperty(name).GetDouble(), 1e-12);
+        }
+        Assert.Equal(0.5, result.GetProperty("hausdorff").GetDouble(), 1e-12);
+        Assert.Equal(mesh.BoundingBox.Diagonal, result.GetProperty("diagonal").GetDouble(), 1e-12);
+    }
+
+    [Theory]
+    [InlineData("--relative", "0.7")]
+    [InlineData("--edge-length", "0.3")]
+    [InlineData("--feature-angle", "30")]
+    [InlineData("--laboratory", null)]
+    [InlineData("--no-projection", null)]
+    public void Remesh_Options_WriteAMeshAndItsFigures(string option, string? value)
+    {
+        string output = Path.Combine(folder, "out.obj");
+        string[] options = value is null ? [option] : [option, value];
+        JsonElement result = Run(0, ["remesh", Save(Models.Create("torus"), "in.obj"), output, .. options]);
+
+        Mesh mesh = MeshFile.Read(output);
+        Assert.Empty(mesh.Validate());
+        Assert.Equal(mesh.Faces.Count, result.GetProperty("output").GetProperty("faces").GetInt32());
+        Assert.True(result.GetProperty("edgeLength").GetDouble() > 0);
+        Assert.Equal(mesh.Vertices.Count, result.GetProperty("valence").GetProperty("histogram").EnumerateObject().Sum(p => p.Value.GetInt32()));
+        Assert.InRange(result.GetProperty("angle").GetProperty("min").GetDouble(), 0, result.GetProperty("angle").GetProperty("mean").GetDouble());
+        Assert.InRange(result.GetProperty("angle").GetProperty("mean").GetDouble(), 0.5, Math.PI / 3);
+    }
+
+    [Fact]
+    public void Remesh_WrongUsage_HasStatus2() =>
+        Run(2, "remesh", Save(Models.Create("torus"), "in.obj"), Path.Combine(folder, "out.obj"), "--relative", "-1");
+
+    private string Save(Mesh mesh, string name)
+    {
+        string path = Path.Combine(folder, name);
+        MeshFile.Write(mesh, path);
+        return path;
+    }
+
+    private static JsonElement Run(int status, params string[] args)
+    {
+        using var output = new StringWriter();
+        using var error = new StringWriter();
+        int actual = MlabApp.Run([.. args, "--json"], output, error);
+        Assert.True(status == actual, $"{string.Join(' ', args)}: exit status {actual}. {error}");
+        using JsonDocument document = JsonDocument.Parse(output.ToString());
+        return document.RootElement.Clone();
+    }
+}

@@ -1,0 +1,84 @@
+using System.Text.Json;
+using MeshLab.Numerics;
+using MeshLab.Remeshing;
+using MeshLab.Simplification;
+using MeshLab.Spatial;
+using MeshLab.Structure;
+using Xunit;
+
+namespace MeshLab.Tests.Remeshing;
+
+/// <summary>Remeshing of public models beside what CGAL makes of them in ten passes (reference values).</summary>
+[Trait("Section", "L4")]
+[Trait("Speed", "Slow")]
+public class RemeshingReferenceTests
+{
+    [SkippableTheory]
+    [InlineData("spot")]
+    [InlineData("bunny_closed")]
+    [InlineData("rocker_arm")]
+    [InlineData("three_holes")]
+    [InlineData("camelhead")]
+    public void Remesh_SmoothModelAtTheReferencesFaceCount_IsNoWorse(string name)
+    {
+        JsonElement reference = ReferenceData.Json(name, "remesh").RootElement.GetProperty("peers").GetProperty("CGAL isotropic_remeshing 10 it");
+        int faces = reference.GetProperty("F").GetInt32();
+        Mesh input = ReferenceMesh.Load(name), mesh = AtFaceCount(input, faces);
+
+        Assert.Empty(mesh.Validate());
+        Assert.InRange(mesh.Faces.Count, 0, faces);
+        RemeshingQuality quality = RemeshingQuality.Of(mesh);
+        JsonElement expected = reference.GetProperty("quality");
+        Assert.InRange(quality.MeanSmallestAngle * 180 / Math.PI, expected.GetProperty("mean_of_face_min_angle_deg").GetDouble(), 60);
+        Assert.InRange(quality.Valence6, expected.GetProperty("valence6_fraction").GetDouble(), 1);
+        MeshDistanceReport distance = input.DistanceTo(mesh);
+        // Sampling is good for 0.3 %.
+        Assert.InRange(distance.SymmetricRms / distance.Diagonal, 0, 1.003 * reference.GetProperty("distance").GetProperty("rms_rel_diag").GetDouble());
+        Assert.False(FaceTree.Build(mesh).HasSelfIntersections());
+    }
+
+    [SkippableTheory]
+    [InlineData("fandisk")]
+    [InlineData("box_assembly")]
+    [InlineData("featuretype")]
+    public void Remesh_TechnicalModelWithFeatures_KeepsSharpEdges(string name)
+    {
+        const double Sharp = 40 * Math.PI / 180;
+        Mesh input = ReferenceMesh.Load(name);
+        Mesh mesh = input.RemeshIsotropically(new() { FeatureAngle = Sharp }).Mesh;
+
+        Assert.Empty(mesh.Validate());
+        // Every ninth of every sharp edge is on the result; and no face is flatter than the input's flattest.
+        FaceTree tree = FaceTree.Build(mesh);
+        double allowed = 1e-3 * input.BoundingBox.Diagonal;
+        foreach (Edge e in input.Edges)
+        {
+            if (!e.IsBoundary && Vector3D.Angle(Normal(e.Face0), Normal(e.Face1)) <= Sharp)
+                continue;
+            for (int i = 0; i <= 8; i++)
+                Assert.True(tree.IsWithin(Vector3D.Lerp(e.Vertex0.Position, e.Vertex1.Position, i / 8.0), allowed), $"{e}");
+        }
+        Assert.True(RemeshingQuality.Of(mesh).SmallestAngle >= 0.99 * RemeshingQuality.Of(input).SmallestAngle);
+    }
+
+    private static Mesh AtFaceCount(Mesh input, int faces)
+    {
+        double relative = 1;
+        Mesh best = input;
+        for (int i = 0; i < 6; i++)
+        {
+            Mesh mesh = input.RemeshIsotropically(new() { RelativeLength = relative, Passes = 10 }).Mesh;
+            if (mesh.Faces.Count <= faces && (i == 0 || best.Faces.Count > faces || mesh.Faces.Count > best.Faces.Count))
+                best = mesh;
+            // A little below, so that the last rounds come from there.
+            relative *= Math.Sqrt(mesh.Faces.Count / (0.998 * faces));
+        }
+        return best;
+    }
+
+    private static Vector3D Normal(Face f)
+    {
+        HalfEdge h = f.HalfEdge;
+        return Vector3D.Cross(h.Target.Position - h.Source.Position, h.Next.Target.Position - h.Source.Position);
+    }
+}
