@@ -189,6 +189,17 @@ public class SmoothingTests
     }
 
     [Fact]
+    public void SmoothByTaubin_Octahedron_ScalesByTheTransferFunction()
+    {
+        // The octahedron is a wave of frequency k = 1: each step multiplies it by (1 − λ)(1 − μ).
+        Mesh mesh = Models.Create("octahedron");
+        var options = new TaubinSmoothingOptions { Steps = 2 };
+        mesh.SmoothByTaubin(options);
+        double factor = Math.Pow((1 - options.Lambda) * (1 - options.Mu), 2);
+        Assert.All(mesh.Vertices, v => Assert.Equal(factor, v.Position.Length, 1e-14));
+    }
+
+    [Fact]
     public void SmoothByTaubin_Options_FollowTheirEquation()
     {
         var options = new TaubinSmoothingOptions { Lambda = 0.33, PassBand = 0.1 };
