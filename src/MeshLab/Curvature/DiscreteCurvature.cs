@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using MeshLab.Geometry;
 using MeshLab.Numerics;
 using MeshLab.Structure;
@@ -23,7 +22,7 @@ public sealed record VertexCurvatures(double[] Gaussian, double[] Mean);
 /// </code>
 /// A is the mixed area (§10.1). On the boundary 𝐊 is the sum over the faces that are there: it also contains the bending of the boundary curve and
 /// is no approximation of the mean curvature. One walk around each vertex gives everything: the scalar products of neighbouring spokes hold the
-/// angle at v and the cotangents at the other two corners. O(V + H), in parallel.
+/// angle at v and the cotangents at the other two corners; angles are added as in <see cref="CornerAngles"/>. O(V + H), in parallel.
 /// </remarks>
 public static class DiscreteCurvature
 {
@@ -31,7 +30,7 @@ public static class DiscreteCurvature
     {
         /// <summary>K = angle defect / mixed area. O(valence).</summary>
         /// <exception cref="ArgumentException">The vertex is none or deleted, or a face at it is not a triangle.</exception>
-        public double GaussianCurvature => Around(vertex).Gaussian(vertex.IsBoundary);
+        public double GaussianCurvature => Around(vertex).Gaussian;
 
         /// <summary>H, positive where the surface is convex. O(valence).</summary>
         /// <exception cref="ArgumentException">The vertex is none or deleted, or a face at it is not a triangle.</exception>
@@ -63,9 +62,8 @@ public static class DiscreteCurvature
                         gaussian[v] = mean[v] = double.NaN;
                         continue;
                     }
-                    var sum = new CurvatureSum();
-                    bool isBoundary = CornerSum.Around(next, target, positions, positions[v], h, face[h] < 0, ref sum);
-                    gaussian[v] = sum.Gaussian(isBoundary);
+                    CurvatureSum sum = Around(next, target, positions, positions[v], h, face[h] < 0);
+                    gaussian[v] = sum.Gaussian;
                     mean[v] = sum.Mean;
                 }
             });
@@ -92,10 +90,8 @@ public static class DiscreteCurvature
             {
                 for (int v = from; v < to; v++)
                 {
-                    var sum = new CurvatureSum();
                     int h = outgoing[v];
-                    if (h >= 0)
-                        CornerSum.Around(next, target, positions, positions[v], h, face[h] < 0, ref sum);
+                    CurvatureSum sum = h < 0 ? default : Around(next, target, positions, positions[v], h, face[h] < 0);
                     normals[v] = sum.MeanNormal;
                 }
             });
@@ -108,51 +104,80 @@ public static class DiscreteCurvature
         vertex.ThrowIfDead();
         foreach (Face f in vertex.Faces)
             _ = f.Triangle;
-        var sum = new CurvatureSum();
         Mesh mesh = vertex.mesh;
-        if (!vertex.IsIsolated)
-            CornerSum.Around(mesh.next, mesh.target, mesh.positions, vertex.Position, vertex.Outgoing.index, vertex.IsBoundary, ref sum);
-        return sum;
+        return vertex.IsIsolated ? default : Around(mesh.next, mesh.target, mesh.positions, vertex.Position, vertex.Outgoing.index, vertex.IsBoundary);
+    }
+
+    /// <summary>One walk around a vertex. The sums are locals, so that they stay in registers; one root and one division per corner.</summary>
+    private static CurvatureSum Around(int[] next, int[] target, Vector3D[] positions, Vector3D center, int outgoing, bool isBoundary)
+    {
+        var angles = new AngleSumByRotation();
+        double mixedArea = 0, cotX = 0, cotY = 0, cotZ = 0;
+        // All face normals lie within a cone around the first one; this is the cosine of its opening.
+        Vector3D firstNormal = default;
+        double cone = 1;
+        int h = outgoing;
+        Vector3D w = positions[target[h]] - center;
+        double ww = w.LengthSquared;
+        do
+        {
+            h = next[h ^ 1];
+            // Turning clockwise from the hole, the last corner is the hole itself.
+            if (isBoundary && h == outgoing)
+                break;
+            Vector3D u = positions[target[h]] - center;
+            Vector3D cross = Vector3D.Cross(u, w);
+            double doubleArea = cross.Length, uu = u.LengthSquared, uw = Vector3D.Dot(u, w);
+            angles.Add(uw, doubleArea);
+            if (doubleArea > 0)
+            {
+                // The cotangent at u's end belongs to the spoke w, and the other way round.
+                double scale = 1 / doubleArea, ofU = (ww - uw) * scale, ofW = (uu - uw) * scale;
+                mixedArea += VertexAreas.MixedPart(doubleArea, scale, uu, uw, ww);
+                cotX -= u.X * ofU + w.X * ofW;
+                cotY -= u.Y * ofU + w.Y * ofW;
+                cotZ -= u.Z * ofU + w.Z * ofW;
+                if (firstNormal == default)
+                    firstNormal = cross * scale;
+                cone = Math.Min(cone, Vector3D.Dot(firstNormal, cross) * scale);
+            }
+            w = u;
+            ww = uu;
+        }
+        while (h != outgoing);
+
+        Vector3D cotangents = new(cotX, cotY, cotZ);
+        double along = Vector3D.Dot(cotangents, firstNormal);
+        // If the mean-curvature normal is less than a right angle from every normal of the cone, no weights can change the sign.
+        bool isSure = cone > 0 && along * along > (1 - cone * cone) * cotangents.LengthSquared * (1 + 1e-12);
+        if (!isSure)
+            along = Vector3D.Dot(cotangents, AngleWeightedNormal(next, target, positions, center, outgoing, isBoundary));
+        return new(angles.MissingTo(isBoundary ? 1 : 2), mixedArea, cotangents, along < 0);
+    }
+
+    private static Vector3D AngleWeightedNormal(int[] next, int[] target, Vector3D[] positions, Vector3D center, int outgoing, bool isBoundary)
+    {
+        var sum = new VertexNormals.AngleSum();
+        CornerSum.Around(next, target, positions, center, outgoing, isBoundary, ref sum);
+        return sum.Normal;
     }
 
     /// <summary>What the corners around a vertex add up to.</summary>
-    private struct CurvatureSum : ICornerSum
+    private readonly record struct CurvatureSum(double Defect, double MixedArea, Vector3D Cotangents, bool IsConcave)
     {
-        private double angles;
-        private double mixedArea;
-        private Vector3D cotangents;
-        private Vector3D normal;
+        public double Gaussian => MixedArea > 0 ? Defect / MixedArea : double.NaN;
 
-        public readonly double Gaussian(bool isBoundary) =>
-            mixedArea > 0 ? ((isBoundary ? Math.PI : 2 * Math.PI) - angles) / mixedArea : double.NaN;
+        public Vector3D MeanNormal => MixedArea > 0 ? Cotangents / (2 * MixedArea) : new(double.NaN, double.NaN, double.NaN);
 
-        public readonly Vector3D MeanNormal => mixedArea > 0 ? cotangents / (2 * mixedArea) : new(double.NaN, double.NaN, double.NaN);
-
-        public readonly double Mean
+        public double Mean
         {
             get
             {
-                if (!(mixedArea > 0))
+                if (!(MixedArea > 0))
                     return double.NaN;
-                double size = cotangents.Length / (4 * mixedArea);
-                return Vector3D.Dot(cotangents, normal) < 0 ? -size : size;
+                double size = Cotangents.Length / (4 * MixedArea);
+                return IsConcave ? -size : size;
             }
-        }
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Add(Vector3D u, Vector3D w)
-        {
-            Vector3D cross = Vector3D.Cross(u, w);
-            double doubleArea = cross.Length, uu = u.LengthSquared, uw = Vector3D.Dot(u, w), ww = w.LengthSquared;
-            double angle = Math.Atan2(doubleArea, uw);
-            angles += angle;
-            if (!(doubleArea > 0))
-                return;
-            mixedArea += VertexAreas.MixedPart(doubleArea, uu, uw, ww);
-            double scale = 1 / doubleArea;
-            // The cotangent at u's end belongs to the spoke w, and the other way round.
-            cotangents -= u * ((ww - uw) * scale) + w * ((uu - uw) * scale);
-            normal += cross * (angle * scale);
         }
     }
 }

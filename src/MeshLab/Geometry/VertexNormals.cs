@@ -19,6 +19,11 @@ public enum VertexNormalWeight
     InscribedSphere,
 }
 
+/// <summary>Unit normals of faces and vertices.</summary>
+/// <param name="Faces">Per face slot.</param>
+/// <param name="Vertices">Per vertex slot.</param>
+public sealed record MeshNormals(Vector3D[] Faces, Vector3D[] Vertices);
+
 /// <summary>§10.4 点法向 (vertex normals): the weighted sum of the normals of the faces around a vertex, at length 1.</summary>
 /// <remarks>
 /// Isolated and deleted vertices, and those whose faces cancel out, get the null vector. Faces of zero area add nothing. The boundary is treated
@@ -60,13 +65,49 @@ public static class VertexNormals
                 return OfPolygons(mesh, weight);
             return weight switch
             {
-                VertexNormalWeight.Uniform => OfTriangles<UniformSum>(mesh),
+                VertexNormalWeight.Uniform => MeansOfFaces(mesh, mesh.ComputeFaceNormals()),
                 VertexNormalWeight.Area => OfTriangles<AreaSum>(mesh),
                 VertexNormalWeight.Angle => OfTriangles<AngleSum>(mesh),
                 VertexNormalWeight.InscribedSphere => OfTriangles<InscribedSphereSum>(mesh),
                 _ => throw Unknown(weight),
             };
         }
+
+        /// <summary>The unit normals of faces and vertices together; with equal weights the faces' serve the vertices.</summary>
+        /// <param name="weight">How the faces around a vertex are weighted.</param>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such weight.</exception>
+        public MeshNormals ComputeNormals(VertexNormalWeight weight = VertexNormalWeight.Angle)
+        {
+            Vector3D[] faces = mesh.ComputeFaceNormals();
+            return new(faces, weight == VertexNormalWeight.Uniform ? MeansOfFaces(mesh, faces) : mesh.ComputeVertexNormals(weight));
+        }
+    }
+
+    /// <summary>The sums of the unit normals of the faces around.</summary>
+    private static Vector3D[] MeansOfFaces(Mesh mesh, Vector3D[] faceNormals)
+    {
+        int[] next = mesh.next, outgoing = mesh.outgoing, face = mesh.face;
+        var normals = new Vector3D[mesh.VertexSlots];
+        Parallelism.ForBlocks(normals.Length, (from, to) =>
+        {
+            for (int v = from; v < to; v++)
+            {
+                int start = outgoing[v], h = start;
+                if (h < 0)
+                    continue;
+                Vector3D sum = default;
+                do
+                {
+                    int f = face[h];
+                    if (f >= 0)
+                        sum += faceNormals[f];
+                    h = next[h ^ 1];
+                }
+                while (h != start);
+                normals[v] = sum.Normalized();
+            }
+        });
+        return normals;
     }
 
     /// <summary>The face's contribution at the corner where the half-edge begins.</summary>
@@ -127,16 +168,9 @@ public static class VertexNormals
 
     private static ArgumentOutOfRangeException Unknown(VertexNormalWeight weight) => new(nameof(weight), weight, "There is no such weight.");
 
-    private interface INormalSum : ICornerSum
+    internal interface INormalSum : ICornerSum
     {
         Vector3D Normal { get; }
-    }
-
-    private struct UniformSum : INormalSum
-    {
-        public Vector3D Normal { readonly get; private set; }
-
-        public void Add(Vector3D u, Vector3D w) => Normal += Vector3D.Cross(u, w).Normalized();
     }
 
     private struct AreaSum : INormalSum
@@ -146,7 +180,7 @@ public static class VertexNormals
         public void Add(Vector3D u, Vector3D w) => Normal += Vector3D.Cross(u, w);
     }
 
-    private struct AngleSum : INormalSum
+    internal struct AngleSum : INormalSum
     {
         public Vector3D Normal { readonly get; private set; }
 
@@ -155,7 +189,7 @@ public static class VertexNormals
             Vector3D cross = Vector3D.Cross(u, w);
             double length = cross.Length;
             if (length > 0)
-                Normal += cross * (Math.Atan2(length, Vector3D.Dot(u, w)) / length);
+                Normal += cross * (Arctangent.Of(length, Vector3D.Dot(u, w)) / length);
         }
     }
 

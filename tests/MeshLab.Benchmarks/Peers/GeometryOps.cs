@@ -7,18 +7,14 @@ namespace MeshLab.Benchmarks.Peers;
 
 internal static class GeometryOps
 {
-    /// <summary>Unit face normals and angle-weighted vertex normals, as libraries' own functions give them.</summary>
+    /// <summary>Unit face normals and equally weighted vertex normals, as OpenMesh's own function gives them.</summary>
     [PeerOp("normals-lib")]
     public static void Normals(PeerRun run)
     {
         Vector3D[] normals = [];
         run.MeasureRounds(
             run.Model.NewMesh,
-            mesh =>
-            {
-                mesh.ComputeFaceNormals();
-                normals = mesh.ComputeVertexNormals();
-            },
+            mesh => normals = mesh.ComputeNormals(VertexNormalWeight.Uniform).Vertices,
             (_, result) => result.Add("abs_normal_sum", normals.Sum(n => Math.Abs(n.X) + Math.Abs(n.Y) + Math.Abs(n.Z))));
     }
 
