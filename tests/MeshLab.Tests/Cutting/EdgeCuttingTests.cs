@@ -35,8 +35,8 @@ public class EdgeCuttingTests
         Edge[] path = [mesh.FindEdge(mesh.Vertices[7], mesh.Vertices[12]), mesh.FindEdge(mesh.Vertices[12], mesh.Vertices[17])];
         EdgeCutResult cut = EdgeCutting.CutAlong(mesh, path, opening: 0.01);
         Assert.Equal(2, cut.Mesh.ComputeTopology().BoundaryLoops);
-        Assert.Equal(1, cut.Copies[7].Count);
-        Assert.Equal(1, cut.Copies[17].Count);
+        Assert.Single(cut.Copies[7]);
+        Assert.Single(cut.Copies[17]);
         // The two copies of the middle move apart by twice the opening, across the cut.
         Vector3D a = cut.Mesh.Vertices[cut.Copies[12][0]].Position, b = cut.Mesh.Vertices[cut.Copies[12][1]].Position;
         Assert.Equal(0.02, Vector3D.Distance(a, b), 1e-14);
