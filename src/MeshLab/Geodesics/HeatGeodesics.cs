@@ -65,6 +65,8 @@ public sealed class HeatGeodesics
             laplacian = laplacian.Principal(index, slots.Length);
         double time = options.TimeFactor * MeanEdgeLength(mesh) * MeanEdgeLength(mesh);
         SparseMatrix diffusion = laplacian.ScaleAndAdd(time, SparseMatrix.FromDiagonal(Array.ConvertAll(slots, v => mass[v])));
+        FillEmptyRows(diffusion);
+        FillEmptyRows(laplacian);
         // The Laplacian alone is singular: doubling one diagonal entry per component fixes that vertex at 0, since the right-hand side sums to 0.
         PinComponents(laplacian);
 
@@ -76,7 +78,7 @@ public sealed class HeatGeodesics
 
     /// <summary>The distance from the nearest of some vertices.</summary>
     /// <param name="sources">The vertices at distance 0.</param>
-    /// <returns>The distance per vertex slot; +∞ in components without a source, NaN at isolated and deleted vertices that are no sources.</returns>
+    /// <returns>The distance per vertex slot; +∞ in components without a source, NaN at deleted vertices and, unless they are sources, at those without area around them.</returns>
     /// <exception cref="ArgumentException">There is no source, or one is not a live vertex of the mesh.</exception>
     public double[] ComputeDistances(params ReadOnlySpan<Vertex> sources)
     {
@@ -126,6 +128,13 @@ public sealed class HeatGeodesics
             return partial;
         });
         return sum / Math.Max(1, mesh.Edges.Count);
+    }
+
+    // A vertex with faces without area only has neither mass nor stiffness; it gets any value, and in the end NaN.
+    private static void FillEmptyRows(SparseMatrix matrix)
+    {
+        foreach (ref double d in matrix.Diagonal)
+            d = d == 0 ? 1 : d;
     }
 
     private void PinComponents(SparseMatrix laplacian)
@@ -206,10 +215,7 @@ public sealed class HeatGeodesics
         {
             int v = source.Index;
             if (index[v] < 0)
-            {
-                distance[v] = 0;
                 continue;
-            }
             (double before, int count) = sum.GetValueOrDefault(component[v]);
             sum[component[v]] = (before + phi[index[v]], count + 1);
         }
@@ -223,7 +229,12 @@ public sealed class HeatGeodesics
                 last = component[v];
                 shift = sum.TryGetValue(last, out (double Sum, int Count) s) ? s.Sum / s.Count : double.NegativeInfinity;
             }
-            distance[v] = phi[i] - shift;
+            distance[v] = mass[v] > 0 ? phi[i] - shift : double.NaN;
+        }
+        foreach (Vertex source in sources)
+        {
+            if (double.IsNaN(distance[source.Index]))
+                distance[source.Index] = 0;
         }
         return distance;
     }

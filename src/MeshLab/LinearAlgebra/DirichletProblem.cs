@@ -45,9 +45,8 @@ public sealed class DirichletProblem
         ArgumentNullException.ThrowIfNull(fixedVertices);
         options ??= new HarmonicOptions();
         fixedSlots = CheckFixed(mesh, fixedVertices);
-        (freeIndex, int[] free, isUndetermined) = NumberFree(mesh, options.AllowUndetermined);
-
         laplacian = mesh.ComputeLaplacian(options.Weights);
+        (freeIndex, int[] free, isUndetermined) = NumberFree(mesh, options.AllowUndetermined);
         freeMatrix = laplacian.Principal(freeIndex, free.Length);
         cancellationToken.ThrowIfCancellationRequested();
         Vector3D[] position = mesh.positions;
@@ -68,7 +67,7 @@ public sealed class DirichletProblem
 
     /// <summary>Solves for given values.</summary>
     /// <param name="values">The values of the fixed vertices, in the order in which these were given.</param>
-    /// <returns>The function per vertex slot; NaN at isolated and deleted vertices and in components without fixed vertex.</returns>
+    /// <returns>The function per vertex slot; NaN at isolated and deleted vertices, at those with faces without area only, and in components without fixed vertex.</returns>
     /// <exception cref="ArgumentException">The number of values is wrong, or one is not finite.</exception>
     public double[] Solve(params ReadOnlySpan<double> values)
     {
@@ -113,7 +112,8 @@ public sealed class DirichletProblem
         return slots;
     }
 
-    // Spreads from the fixed vertices over the edges; every other vertex reached is free.
+    // Spreads from the fixed vertices over the edges; every other vertex reached is free, unless all its faces are without area and so its
+    // row is empty.
     private (int[] Index, int[] Free, bool[] IsUndetermined) NumberFree(Mesh mesh, bool allowUndetermined)
     {
         int[] next = mesh.next, target = mesh.target, outgoing = mesh.outgoing;
@@ -147,13 +147,14 @@ public sealed class DirichletProblem
         var undetermined = new bool[n];
         for (int v = 0; v < n; v++)
         {
-            undetermined[v] = !reached[v];
+            bool isTied = reached[v] && laplacian.Diagonal[v] != 0;
+            undetermined[v] = !isTied;
             if (!reached[v] && outgoing[v] >= 0 && !allowUndetermined)
                 throw new ArgumentException($"No vertex is fixed in the component of v{v}, so the function is not determined there.", nameof(mesh));
-            index[v] = reached[v] ? 0 : -1;
+            index[v] = isTied ? 0 : -1;
         }
         foreach (int v in fixedSlots)
-            index[v] = -1;
+            (index[v], undetermined[v]) = (-1, false);
         for (int v = 0; v < n; v++)
         {
             if (index[v] == 0)

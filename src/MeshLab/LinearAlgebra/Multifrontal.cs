@@ -116,8 +116,8 @@ internal sealed unsafe class Multifrontal<TVector, TLanes>
         public Front(Multifrontal<TVector, TLanes> owner, (long Even, long Odd) stackSize)
         {
             this.owner = owner;
-            evenStack = GC.AllocateUninitializedArray<double>((int)stackSize.Even, pinned: true);
-            oddStack = GC.AllocateUninitializedArray<double>((int)stackSize.Odd, pinned: true);
+            evenStack = GC.AllocateUninitializedArray<double>(checked((int)stackSize.Even), pinned: true);
+            oddStack = GC.AllocateUninitializedArray<double>(checked((int)stackSize.Odd), pinned: true);
             place = GC.AllocateUninitializedArray<int>(owner.matrix.Size);
             childPlace = GC.AllocateUninitializedArray<int>(owner.analysis.LargestRowCount);
             smallest = new double[owner.analysis.LargestColumnCount + 4];
@@ -149,7 +149,7 @@ internal sealed unsafe class Multifrontal<TVector, TLanes>
             EliminationTree tree = owner.tree;
             int first = nodes.First[s], columns = nodes.ColumnCount(s), rowCount = nodes.RowCount(s), stride = nodes.PanelStride(s);
             int* rows = allRows + nodes.RowsStart[s];
-            new Span<double>(panel, stride * columns).Clear();
+            new Span<double>(panel, checked(stride * columns)).Clear();
             for (int j = 0; j < columns; j++)
                 placeOf[first + j] = j;
             for (int k = 0; k < rowCount; k++)

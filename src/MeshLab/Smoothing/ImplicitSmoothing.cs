@@ -70,7 +70,7 @@ public static class ImplicitSmoothing
             ? Laplacian.Assemble(mesh, Laplacian.CotangentWeights(cotangent, double.NegativeInfinity), perHalfEdge: false)
             : LaplacianAt(mesh, positions, options.Weights);
 
-        (int[] index, int[] free) = NumberFree(mesh, options.Boundary);
+        (int[] index, int[] free) = NumberFree(mesh, mass, options.Boundary);
         double time = options.Time * MeanMass(mesh, mass);
         Vector3D[] result = (Vector3D[])positions.Clone();
         if (options.Boundary == SmoothingBoundary.AlongCurve)
@@ -113,7 +113,8 @@ public static class ImplicitSmoothing
         return moved.ComputeLaplacian(weights);
     }
 
-    private static (int[] Index, int[] Free) NumberFree(Mesh mesh, SmoothingBoundary boundary)
+    // A vertex with faces without area only has no mass to move by.
+    private static (int[] Index, int[] Free) NumberFree(Mesh mesh, double[] mass, SmoothingBoundary boundary)
     {
         var index = new int[mesh.VertexSlots];
         var free = new int[mesh.VertexSlots];
@@ -121,7 +122,7 @@ public static class ImplicitSmoothing
         for (int v = 0; v < index.Length; v++)
         {
             int h = mesh.outgoing[v];
-            bool isFree = h >= 0 && (boundary == SmoothingBoundary.Free || mesh.face[h] >= 0);
+            bool isFree = h >= 0 && mass[v] > 0 && (boundary == SmoothingBoundary.Free || mesh.face[h] >= 0);
             index[v] = isFree ? count : -1;
             if (isFree)
                 free[count++] = v;

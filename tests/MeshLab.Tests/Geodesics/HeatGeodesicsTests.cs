@@ -1,5 +1,6 @@
 using MeshLab.Geodesics;
 using MeshLab.IO;
+using MeshLab.LinearAlgebra;
 using MeshLab.Numerics;
 using MeshLab.Structure;
 using Xunit;
@@ -37,14 +38,24 @@ public class HeatGeodesicsTests
             return;
         double[] edge = mesh.ComputeEdgeDistances(mesh.Vertices[0]), heat = new HeatGeodesics(mesh).ComputeDistances(mesh.Vertices[0]);
 
+        double[] area = mesh.ComputeLumpedMasses(MassKind.Barycentric);
         Assert.Equal(0, heat[0], 1e-12);
         foreach (Vertex v in mesh.Vertices)
         {
-            if (v.IsIsolated)
+            if (area[v.Index] == 0 && v.Index != 0)
                 Assert.Equal(double.NaN, heat[v.Index]);
             else
                 Assert.Equal(double.IsInfinity(edge[v.Index]), double.IsInfinity(heat[v.Index]));
         }
+    }
+
+    [Fact]
+    public void ComputeDistances_VertexWithoutAreaAround_IsNotANumber()
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(2, 0, 0), new(0, 1, 0), new(1, 0, 0)], [0, 1, 2, 1, 0, 3]);
+        double[] d = new HeatGeodesics(mesh).ComputeDistances(mesh.Vertices[0]);
+        Assert.Equal(double.NaN, d[3]);
+        Assert.All(d.Take(3), value => Assert.True(double.IsFinite(value)));
     }
 
     [Fact]

@@ -83,6 +83,19 @@ public class DirichletProblemTests
     }
 
     [Fact]
+    public void Solve_VertexWithoutAreaAround_IsNotANumber()
+    {
+        // Vertex 3 lies on the edge 0–1; its only face has no area.
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(2, 0, 0), new(0, 1, 0), new(1, 0, 0)], [0, 1, 2, 1, 0, 3]);
+
+        double[] u = mesh.ComputeHarmonicFunction([(mesh.Vertices[0], 4)]);
+
+        Assert.Equal(4, u[1], 1e-14);
+        Assert.Equal(double.NaN, u[3]);
+        Assert.Equal(5, mesh.ComputeHarmonicFunction([(mesh.Vertices[0], 4), (mesh.Vertices[3], 5)])[3]);
+    }
+
+    [Fact]
     public void Solve_AllVerticesFixed_ReturnsTheirValues()
     {
         Mesh mesh = Models.Tetrahedron();

@@ -158,6 +158,18 @@ public class SmoothingTests
         Assert.Equal(before, mesh.StateHash());
     }
 
+    [Theory]
+    [MemberData(nameof(WayNames))]
+    public void Smooth_FacesWithoutArea_StaysFinite(string way)
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(2, 0, 0), new(0, 1, 0), new(1, 0, 0)], [0, 1, 2, 1, 0, 3]);
+        foreach (SmoothingBoundary boundary in Enum.GetValues<SmoothingBoundary>())
+        {
+            Ways[way](mesh, 2, boundary);
+            Assert.All(mesh.Vertices, v => Assert.True(v.Position.IsFinite));
+        }
+    }
+
     [Fact]
     public void Smooth_Polygons_OnlyWithEqualWeights()
     {
