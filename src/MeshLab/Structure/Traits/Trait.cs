@@ -41,6 +41,12 @@ public abstract class Trait
 
     internal abstract Trait CloneFor(Mesh mesh);
 
+    /// <summary>A column of the same name, default and blend for another mesh, all default.</summary>
+    internal abstract Trait CloneEmptyFor(Mesh mesh);
+
+    /// <summary>Writes the blend of some values of a column of the same type, maybe of another mesh. No weights are equal weights.</summary>
+    internal abstract void TakeMix(int to, Trait source, ReadOnlySpan<int> from, ReadOnlySpan<double> weights);
+
     internal abstract void AppendFrom(Trait other, int offset);
 
     internal abstract void AddTo(ref StateHasher hash);
@@ -137,6 +143,21 @@ public abstract class Trait<T> : Trait
 
     internal override void Mix(int to, int first, int second, double t) => Set(to, Blend(values[first], values[second], t));
 
+    internal override void TakeMix(int to, Trait source, ReadOnlySpan<int> from, ReadOnlySpan<double> weights)
+    {
+        if (source is not Trait<T> same)
+            return;
+        T value = same.values[from[0]];
+        double total = weights.IsEmpty ? 1 : weights[0];
+        for (int i = 1; i < from.Length; i++)
+        {
+            double weight = weights.IsEmpty ? 1 : weights[i];
+            total += weight;
+            value = Blend(value, same.values[from[i]], total == 0 ? 0 : weight / total);
+        }
+        Set(to, value);
+    }
+
     internal override void Reset(int index) => Set(index, DefaultValue);
 
     internal override void AddTo(ref StateHasher hash)
@@ -183,6 +204,8 @@ public sealed class VertexTrait<T> : Trait<T>
         copy.TakeValues(this);
         return copy;
     }
+
+    internal override Trait CloneEmptyFor(Mesh mesh) => new VertexTrait<T>(mesh, Name, DefaultValue, Blend);
 }
 
 /// <summary>A value per half-edge, that is per corner: the corner at the half-edge's target in its face.</summary>
@@ -203,6 +226,8 @@ public sealed class HalfEdgeTrait<T> : Trait<T>
         copy.TakeValues(this);
         return copy;
     }
+
+    internal override Trait CloneEmptyFor(Mesh mesh) => new HalfEdgeTrait<T>(mesh, Name, DefaultValue, Blend);
 }
 
 /// <summary>A value per edge.</summary>
@@ -223,6 +248,8 @@ public sealed class EdgeTrait<T> : Trait<T>
         copy.TakeValues(this);
         return copy;
     }
+
+    internal override Trait CloneEmptyFor(Mesh mesh) => new EdgeTrait<T>(mesh, Name, DefaultValue, Blend);
 }
 
 /// <summary>A value per face.</summary>
@@ -243,6 +270,8 @@ public sealed class FaceTrait<T> : Trait<T>
         copy.TakeValues(this);
         return copy;
     }
+
+    internal override Trait CloneEmptyFor(Mesh mesh) => new FaceTrait<T>(mesh, Name, DefaultValue, Blend);
 }
 
 /// <summary>Which types can be hashed as bytes: those without padding or references.</summary>

@@ -1,0 +1,87 @@
+using System.CommandLine;
+using MeshLab.Cli.Hosting;
+using MeshLab.Structure;
+using MeshLab.Subdivision;
+
+namespace MeshLab.Cli.Verbs;
+
+internal sealed class SubdivideVerb : Verb
+{
+    private readonly Argument<string> input = InputArgument();
+    private readonly Argument<string> output = OutputArgument();
+
+    private readonly Option<string> scheme = new("--scheme")
+    {
+        Description = "loop, loop-warren, butterfly and sqrt3 take triangles; catmull-clark and doo-sabin any faces; midpoint moves nothing.",
+        DefaultValueFactory = _ => "loop",
+    };
+
+    private readonly Option<int> steps = new("--steps") { Description = "How often.", DefaultValueFactory = _ => 1 };
+    private readonly Option<bool> limit = new("--limit") { Description = "Move every vertex to its limit (loop, loop-warren, catmull-clark)." };
+    private readonly Option<double?> creaseAngle = new("--crease-angle") { Description = "Keep edges sharp whose faces meet at more than these degrees (loop, loop-warren, catmull-clark)." };
+
+    public override string Name => "subdivide";
+
+    public override string Summary => "Refine a mesh by a subdivision scheme.";
+
+    public override string Example => "subdivide models/cube.obj smooth.obj --scheme loop --steps 3";
+
+    public override void Configure(Command command)
+    {
+        scheme.AcceptOnlyFromAmong("loop", "loop-warren", "butterfly", "sqrt3", "catmull-clark", "doo-sabin", "midpoint");
+        command.Arguments.Add(input);
+        command.Arguments.Add(output);
+        foreach (Option option in new Option[] { scheme, steps, limit, creaseAngle })
+            command.Options.Add(option);
+    }
+
+    public override void Run(VerbContext context)
+    {
+        string name = context.Get(scheme);
+        bool smooths = name is "loop" or "loop-warren" or "catmull-clark";
+        if (context.Get(steps) < 0)
+            throw new UsageException("--steps must not be negative");
+        if (context.Get(limit) && !smooths)
+            throw new UsageException($"--limit is known for loop, loop-warren and catmull-clark, not for {name}");
+        if (context.Get(creaseAngle) is not null && !smooths)
+            throw new UsageException($"--crease-angle is for loop, loop-warren and catmull-clark, not for {name}");
+
+        Mesh mesh = context.ReadMesh(context.Get(input));
+        var options = new SubdivisionOptions
+        {
+            Steps = context.Get(steps),
+            Weights = name == "loop-warren" ? LoopWeights.Warren : LoopWeights.Loop1987,
+        };
+        IProgress<double>? progress = context.Progress("subdividing");
+        int creases = 0;
+        Mesh finer = context.Time(() =>
+        {
+            if (context.Get(creaseAngle) is { } degrees)
+                creases = Creases.SetByAngle(mesh, degrees * Math.PI / 180);
+            Mesh result = mesh.Subdivide(SchemeOf(name), options, progress, context.CancellationToken);
+            if (context.Get(limit))
+                MoveToLimit(result, name, options.Weights);
+            return result;
+        });
+        context.WriteMesh(finer, context.Get(output));
+        context.Result.Add("scheme", name).Add("steps", options.Steps).Add("limit", context.Get(limit));
+        if (context.Get(creaseAngle) is not null)
+            context.Result.Add("creases", creases);
+    }
+
+    private static void MoveToLimit(Mesh mesh, string name, LoopWeights weights)
+    {
+        LimitPoints points = name == "catmull-clark" ? LimitSurface.OfCatmullClark(mesh) : LimitSurface.OfLoop(mesh, weights);
+        points.Positions.CopyTo(mesh.Positions);
+    }
+
+    private static SubdivisionScheme SchemeOf(string name) => name switch
+    {
+        "butterfly" => SubdivisionScheme.ModifiedButterfly,
+        "sqrt3" => SubdivisionScheme.Sqrt3,
+        "catmull-clark" => SubdivisionScheme.CatmullClark,
+        "doo-sabin" => SubdivisionScheme.DooSabin,
+        "midpoint" => SubdivisionScheme.Midpoint,
+        _ => SubdivisionScheme.Loop,
+    };
+}

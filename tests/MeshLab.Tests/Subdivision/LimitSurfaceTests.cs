@@ -1,0 +1,302 @@
+using MeshLab.Generation;
+using MeshLab.Numerics;
+using MeshLab.Structure;
+using MeshLab.Subdivision;
+using MeshLab.Tests.Generation;
+using Xunit;
+
+namespace MeshLab.Tests.Subdivision;
+
+[Trait("Section", "8.1")]
+public class LimitSurfaceTests
+{
+    public static TheoryData<int> Valences => new(Enumerable.Range(3, 10));
+
+    /// <summary>A small bumpy disc around a vertex: closed ring of n triangles, or a fan of n − 1 at the boundary, with two more rings so that the outside does not matter.</summary>
+    private static Mesh Disc(int n, bool boundary)
+    {
+        var random = new Random(n);
+        var builder = new MeshBuilder();
+        builder.AddVertex(new(0, 0, 0.3));
+        int perRing = n;
+        for (int ring = 1; ring <= 3; ring++)
+        {
+            for (int i = 0; i < perRing; i++)
+            {
+                double angle = boundary ? Math.PI * i / (perRing - 1) : 2 * Math.PI * i / perRing;
+                builder.AddVertex(new(ring * Math.Cos(angle), ring * Math.Sin(angle), 0.3 * random.NextDouble()));
+            }
+        }
+        int sectors = boundary ? perRing - 1 : perRing;
+        for (int i = 0; i < sectors; i++)
+        {
+            int j = (i + 1) % perRing;
+            builder.AddFace(0, 1 + i, 1 + j);
+            for (int ring = 1; ring < 3; ring++)
+            {
+                int a = 1 + (ring - 1) * perRing + i, b = 1 + (ring - 1) * perRing + j;
+                builder.AddFace(a, a + perRing, b + perRing);
+                builder.AddFace(a, b + perRing, b);
+            }
+        }
+        return builder.Build();
+    }
+
+    /// <summary>Ten steps on the two-ring of vertex 0 only: faces farther away cannot reach it any more.</summary>
+    private static Mesh TenSteps(Mesh mesh, Func<Mesh, Mesh> step)
+    {
+        for (int k = 0; k < 10; k++)
+            mesh = Neighborhood(step(mesh));
+        return mesh;
+    }
+
+    private static Mesh Neighborhood(Mesh mesh)
+    {
+        var near = new HashSet<int> { 0 };
+        for (int ring = 0; ring < 2; ring++)
+        {
+            foreach (int v in near.ToArray())
+            {
+                foreach (Face f in mesh.Vertices[v].Faces)
+                    near.UnionWith(f.Vertices.ToArray().Select(w => w.Index));
+            }
+        }
+        int[] kept = [.. near.Order()];
+        var number = kept.Select((v, i) => (v, i)).ToDictionary(pair => pair.v, pair => pair.i);
+        int[][] faces = [.. mesh.Faces.Select(f => f.Vertices.ToArray().Select(v => v.Index).ToArray()).Where(f => f.All(near.Contains))
+            .Select(f => f.Select(v => number[v]).ToArray())];
+        return MeshBuilder.FromPolygons([.. kept.Select(v => mesh.Positions[v])], faces);
+    }
+
+    private static Vector3D NormalAtZero(Mesh mesh)
+    {
+        Vector3D sum = default;
+        foreach (Face f in mesh.Vertices[0].Faces)
+            sum += Measure.VectorArea(f);
+        return sum.Normalized();
+    }
+
+    [Theory]
+    [MemberData(nameof(Valences))]
+    public void OfLoop_Interior_AgreesWithTenSteps(int n)
+    {
+        foreach (LoopWeights weights in Enum.GetValues<LoopWeights>())
+        {
+            Mesh mesh = Disc(n, boundary: false);
+            LimitPoints limit = LimitSurface.OfLoop(mesh, weights);
+            Mesh fine = TenSteps(mesh, m => LoopSubdivision.Subdivide(m, new SubdivisionOptions { Weights = weights }));
+
+            AssertAgrees(limit, LimitSurface.OfLoop(fine, weights), fine);
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Valences))]
+    public void OfLoop_Boundary_AgreesWithTenSteps(int n)
+    {
+        Mesh mesh = Disc(n - 1, boundary: true);
+        Mesh fine = TenSteps(mesh, m => LoopSubdivision.Subdivide(m));
+
+        AssertAgrees(LimitSurface.OfLoop(mesh), LimitSurface.OfLoop(fine), fine, slow: n > 7);
+    }
+
+    [Theory]
+    [MemberData(nameof(Valences))]
+    public void OfCatmullClark_InteriorAndBoundary_AgreeWithTenSteps(int n)
+    {
+        foreach (bool boundary in new[] { false, true })
+        {
+            Mesh mesh = Disc(boundary ? n - 1 : n, boundary);
+            Mesh fine = TenSteps(mesh, m => CatmullClarkSubdivision.Subdivide(m));
+
+            AssertAgrees(LimitSurface.OfCatmullClark(mesh), LimitSurface.OfCatmullClark(fine), fine, slow: boundary && n > 5);
+        }
+    }
+
+    /// <summary>The limit does not change from step to step; and after ten steps the mesh itself is there.</summary>
+    /// <param name="slow">At a boundary vertex of many faces two eigenvalues are close together, and the faces turn too slowly to their limit for ten steps.</param>
+    private static void AssertAgrees(LimitPoints limit, LimitPoints later, Mesh fine, bool slow = false)
+    {
+        Assert.True(Vector3D.Distance(limit.Positions[0], later.Positions[0]) < 1e-12);
+        Assert.True(Vector3D.Distance(limit.Positions[0], fine.Positions[0]) < 1e-3, $"{limit.Positions[0]} {fine.Positions[0]}");
+        Assert.True(Vector3D.Angle(limit.Normals[0], later.Normals[0]) < 1e-7, $"{limit.Normals[0]} {later.Normals[0]}");
+        Assert.True(Vector3D.Angle(limit.Normals[0], NormalAtZero(fine)) < (slow ? 0.3 : 0.05), $"{limit.Normals[0]} {NormalAtZero(fine)}");
+        Assert.Equal(1, limit.Normals[0].Length, 1e-12);
+    }
+
+    [Fact]
+    public void OfLoop_OnCreases_IsTheCurvesLimit()
+    {
+        Mesh mesh = Disc(6, boundary: false);
+        HalfEdge h = mesh.FindHalfEdge(mesh.Vertices[0], mesh.Vertices[1]);
+        HalfEdge opposite = mesh.FindHalfEdge(mesh.Vertices[0], mesh.Vertices[4]);
+        Creases.Set(mesh, [h.Edge, opposite.Edge]);
+
+        LimitPoints limit = LimitSurface.OfLoop(mesh);
+
+        Vector3D expected = 2.0 / 3 * mesh.Positions[0] + 1.0 / 6 * (mesh.Positions[1] + mesh.Positions[4]);
+        Assert.True(Vector3D.Distance(expected, limit.Positions[0]) < 1e-15);
+        Assert.Equal(default, limit.Normals[0]);
+        Creases.Set(mesh, [h.Edge], 1.5);
+        Assert.Throws<ArgumentException>(() => LimitSurface.OfLoop(mesh));
+    }
+
+    [Fact]
+    public void Limits_OfDeletedAndIsolatedVertices_StayInPlace()
+    {
+        Mesh mesh = Cones.Tetrahedron();
+        mesh.DeleteVertexSlot(mesh.AddVertex(new(5, 5, 5)).Index);
+        Vertex isolated = mesh.AddVertex(new(6, 6, 6));
+        foreach (LimitPoints limit in new[] { LimitSurface.OfLoop(mesh), LimitSurface.OfCatmullClark(mesh) })
+        {
+            Assert.Equal(isolated.Position, limit.Positions[isolated.Index]);
+            Assert.True(limit.Positions[0].Length < mesh.Positions[0].Length);
+        }
+    }
+}
+
+/// <summary>C¹ of the limit by the eigenvalues of the subdivision matrix around a vertex: 1 &gt; λ = λ &gt; the rest, and a characteristic map without folds.</summary>
+[Trait("Section", "8")]
+public class EigenanalysisTests
+{
+    public static TheoryData<SubdivisionScheme, int> Cases
+    {
+        get
+        {
+            var cases = new TheoryData<SubdivisionScheme, int>();
+            foreach (SubdivisionScheme scheme in new[] { SubdivisionScheme.Loop, SubdivisionScheme.ModifiedButterfly, SubdivisionScheme.Sqrt3, SubdivisionScheme.CatmullClark })
+            {
+                for (int n = 3; n <= 12; n++)
+                    cases.Add(scheme, n);
+            }
+            return cases;
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Cases))]
+    public void SubdivisionMatrix_OfAValence_HasTheEigenvaluesOfC1(SubdivisionScheme scheme, int n)
+    {
+        // √3 turns the mesh; two steps of it turn it back.
+        var options = new SubdivisionOptions { Steps = scheme == SubdivisionScheme.Sqrt3 ? 2 : 1 };
+        Mesh mesh = scheme == SubdivisionScheme.CatmullClark ? QuadDisc(n, 4) : TriangleDisc(n, 5);
+        int size = scheme == SubdivisionScheme.CatmullClark ? 1 + n * 6 : 1 + n * (1 + 2 + 3);
+        double[,] matrix = Matrix(mesh, size, scheme, options);
+
+        System.Numerics.Complex[] values = [.. MathNet.Numerics.LinearAlgebra.Matrix<double>.Build.DenseOfArray(matrix).Evd().EigenValues
+            .OrderByDescending(value => value.Magnitude)];
+
+        Assert.Equal(1, values[0].Real, 1e-9);
+        Assert.Equal(values[1].Magnitude, values[2].Magnitude, 1e-8);
+        // Two √3 steps number the spokes from another one, which turns the eigenvectors.
+        if (scheme != SubdivisionScheme.Sqrt3)
+            Assert.Equal(0, values[1].Imaginary, 1e-8);
+        Assert.True(values[1].Magnitude is > 0.1 and < 1);
+        Assert.True(values[3].Magnitude < values[1].Magnitude - 1e-6, $"{values[1]} {values[3]}");
+    }
+
+    /// <summary>Row i: what the old points give to the new point at the place of old point i. Old points are moved one by one.</summary>
+    private static double[,] Matrix(Mesh mesh, int size, SubdivisionScheme scheme, SubdivisionOptions options)
+    {
+        int[] order = Order(mesh, size);
+        int[] newOrder = Order(mesh.Subdivide(scheme, options), size);
+        var matrix = new double[size, size];
+        mesh.Positions.Clear();
+        for (int column = 0; column < size; column++)
+        {
+            mesh.Positions[order[column]] = new(1, 0, 0);
+            Mesh finer = mesh.Subdivide(scheme, options);
+            for (int row = 0; row < size; row++)
+                matrix[row, column] = finer.Positions[newOrder[row]].X;
+            mesh.Positions[order[column]] = default;
+        }
+        return matrix;
+    }
+
+    /// <summary>Vertices ring by ring around vertex 0, each ring in turn from the first spoke: the same walk before and after.</summary>
+    private static int[] Order(Mesh mesh, int size)
+    {
+        var order = new List<int> { 0 };
+        var seen = new HashSet<int> { 0 };
+        HalfEdge first = mesh.Vertices[0].Outgoing;
+        var queue = new Queue<HalfEdge>();
+        HalfEdge h = first;
+        do
+        {
+            Visit(h);
+            h = h.Previous.Twin;
+        }
+        while (h != first);
+        while (order.Count < size)
+        {
+            // Turn around the vertex from where it was reached.
+            HalfEdge reached = queue.Dequeue(), g = reached.Twin;
+            do
+            {
+                Visit(g);
+                g = g.Previous.Twin;
+            }
+            while (g != reached.Twin);
+        }
+        return [.. order.Take(size)];
+
+        void Visit(HalfEdge edge)
+        {
+            if (!seen.Add(edge.Target.Index))
+                return;
+            order.Add(edge.Target.Index);
+            queue.Enqueue(edge);
+        }
+    }
+
+    private static Mesh TriangleDisc(int n, int rings)
+    {
+        var builder = new MeshBuilder();
+        builder.AddVertex(default);
+        for (int k = 1; k <= rings; k++)
+        {
+            for (int i = 0; i < n * k; i++)
+                builder.AddVertex(default);
+        }
+        for (int k = 1; k <= rings; k++)
+        {
+            for (int sector = 0; sector < n; sector++)
+            {
+                for (int i = 0; i < k; i++)
+                {
+                    builder.AddFace(At(k - 1, sector * (k - 1) + i), At(k, sector * k + i), At(k, sector * k + i + 1));
+                    if (i + 1 < k)
+                        builder.AddFace(At(k - 1, sector * (k - 1) + i), At(k, sector * k + i + 1), At(k - 1, sector * (k - 1) + i + 1));
+                }
+            }
+        }
+        return builder.Build();
+
+        int At(int ring, int i) => ring == 0 ? 0 : 1 + n * ring * (ring - 1) / 2 + i % (n * ring);
+    }
+
+    private static Mesh QuadDisc(int n, int rings)
+    {
+        var number = new Dictionary<(int Sector, int I, int J), int>();
+        var builder = new MeshBuilder();
+        At(0, 0, 0);
+        for (int sector = 0; sector < n; sector++)
+        {
+            for (int i = 0; i < rings; i++)
+            {
+                for (int j = 0; j < rings; j++)
+                    builder.AddFace(At(sector, i, j), At(sector, i + 1, j), At(sector, i + 1, j + 1), At(sector, i, j + 1));
+            }
+        }
+        return builder.Build();
+
+        // Sector s lies between spokes s (j = 0) and s + 1 (i = 0).
+        int At(int sector, int i, int j)
+        {
+            (int, int, int) key = (i, j) == (0, 0) ? (0, 0, 0) : i == 0 ? ((sector + 1) % n, j, 0) : (sector, i, j);
+            if (!number.TryGetValue(key, out int vertex))
+                number[key] = vertex = builder.AddVertex(default);
+            return vertex;
+        }
+    }
+}
