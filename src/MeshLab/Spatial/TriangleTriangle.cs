@@ -20,6 +20,8 @@ public static class TriangleTriangle
         int sideA = ExactPredicates.Orient3D(p, q, r, a), sideB = ExactPredicates.Orient3D(p, q, r, b), sideC = ExactPredicates.Orient3D(p, q, r, c);
         if (SameSide(sideA, sideB, sideC))
             return false;
+        if ((sideA | sideB | sideC | sideP | sideQ | sideR) == 0 && PlaneAxis(a, b, c) is >= 0 and var axis && Turn(axis, p, q, r) != 0)
+            return !EdgeSeparates(axis, a, b, c, p, q, r) && !EdgeSeparates(axis, p, q, r, a, b, c);
         return SegmentMeets(a, b, sideA, sideB, p, q, r) || SegmentMeets(b, c, sideB, sideC, p, q, r) || SegmentMeets(c, a, sideC, sideA, p, q, r)
             || SegmentMeets(p, q, sideP, sideQ, a, b, c) || SegmentMeets(q, r, sideQ, sideR, a, b, c) || SegmentMeets(r, p, sideR, sideP, a, b, c);
     }
@@ -49,6 +51,16 @@ public static class TriangleTriangle
             return false;
         int axis = PlaneAxis(a, b, p);
         return axis >= 0 && Turn(axis, a, b, p) * Turn(axis, a, b, q) > 0;
+    }
+
+    // In a plane: whether p, q, r are beyond one of the edges of a, b, c. If no edge of either triangle separates them, they meet.
+    private static bool EdgeSeparates(int axis, in Vector3D a, in Vector3D b, in Vector3D c, in Vector3D p, in Vector3D q, in Vector3D r)
+    {
+        int outside = -Turn(axis, a, b, c);
+        return Beyond(a, b, p, q, r) || Beyond(b, c, p, q, r) || Beyond(c, a, p, q, r);
+
+        bool Beyond(in Vector3D from, in Vector3D to, in Vector3D p, in Vector3D q, in Vector3D r) =>
+            Turn(axis, from, to, p) == outside && Turn(axis, from, to, q) == outside && Turn(axis, from, to, r) == outside;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

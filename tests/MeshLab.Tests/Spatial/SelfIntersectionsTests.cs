@@ -25,8 +25,8 @@ public class SelfIntersectionsTests
 
     [Theory]
     [InlineData(3, 40)]
-    [InlineData(5, 60)]
-    [InlineData(20, 80)]
+    [InlineData(5, 40)]
+    [InlineData(20, 50)]
     public void FindSelfIntersections_RandomGrids_FindsThePairsOfTheDefinition(int grid, int triangles)
     {
         var random = new Random(grid);
