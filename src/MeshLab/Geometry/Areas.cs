@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 using MeshLab.Structure;
 
@@ -69,7 +70,25 @@ public static class Areas
     }
 
     /// <summary>The vector area of a face, doubled. The first corner is its first half-edge's source.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static Vector3D DoubleArea(int[] next, int[] target, Vector3D[] positions, int first)
+    {
+        int second = next[first], third = next[second];
+        if (next[third] != first)
+            return DoubleAreaOfPolygon(next, target, positions, first);
+        Vector3D a = positions[target[third]];
+        return Vector3D.Cross(positions[target[first]] - a, positions[target[second]] - a);
+    }
+
+    /// <summary>The unit vector in a direction; the null vector stays. One division, where <see cref="Vector3D.Normalized"/> has three.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Vector3D Unit(Vector3D vector)
+    {
+        double squared = vector.LengthSquared;
+        return squared is > 1e-280 and < 1e280 ? vector * (1 / Math.Sqrt(squared)) : vector.Normalized();
+    }
+
+    private static Vector3D DoubleAreaOfPolygon(int[] next, int[] target, Vector3D[] positions, int first)
     {
         Vector3D a = positions[target[first ^ 1]];
         int second = next[first], last = next[second];

@@ -11,7 +11,7 @@ public static class FaceNormals
     {
         /// <summary>The unit normal; the null vector if the face has zero area. O(degree).</summary>
         /// <exception cref="ArgumentException">The face is none or deleted.</exception>
-        public Vector3D Normal => face.DoubleAreaVector.Normalized();
+        public Vector3D Normal => Areas.Unit(face.DoubleAreaVector);
 
         /// <summary>The mean of the corners (重心).</summary>
         /// <exception cref="ArgumentException">The face is none or deleted.</exception>
@@ -54,7 +54,7 @@ public static class FaceNormals
                     int h = halfEdgeOf[f];
                     if (h < 0)
                         continue;
-                    Vector3D normal = Areas.DoubleArea(next, target, positions, h).Normalized();
+                    Vector3D normal = Areas.Unit(Areas.DoubleArea(next, target, positions, h));
                     normals[f] = normal;
                     if (normal == default)
                         degenerateHere++;

@@ -49,7 +49,7 @@ public static class VertexNormals
                 if (!h.IsBoundary)
                     sum += CornerNormal(h, weight);
             }
-            return sum.Normalized();
+            return Areas.Unit(sum);
         }
     }
 
@@ -104,7 +104,7 @@ public static class VertexNormals
                     h = next[h ^ 1];
                 }
                 while (h != start);
-                normals[v] = sum.Normalized();
+                normals[v] = Areas.Unit(sum);
             }
         });
         return normals;
@@ -160,7 +160,7 @@ public static class VertexNormals
                     continue;
                 var sum = new TSum();
                 CornerSum.Around(next, target, positions, positions[v], h, face[h] < 0, ref sum);
-                normals[v] = sum.Normal.Normalized();
+                normals[v] = Areas.Unit(sum.Normal);
             }
         });
         return normals;

@@ -1,6 +1,8 @@
 using MeshLab.Editing;
+using MeshLab.Neighborhoods;
 using MeshLab.Numerics;
 using MeshLab.Structure;
+using MeshLab.Topology;
 
 namespace MeshLab.Benchmarks.Peers;
 
@@ -134,54 +136,14 @@ internal static class StructureOps
     [PeerOp("components")]
     public static void Components(PeerRun run) => run.Measure(
         run.Model.NewMesh,
-        mesh =>
-        {
-            int components = 0;
-            var seen = new bool[mesh.FaceSlots];
-            var open = new Stack<Face>();
-            foreach (Face seed in mesh.Faces)
-            {
-                if (seen[seed.Index])
-                    continue;
-                components++;
-                seen[seed.Index] = true;
-                open.Push(seed);
-                while (open.TryPop(out Face f))
-                {
-                    foreach (Face g in f.Neighbors)
-                    {
-                        if (seen[g.Index])
-                            continue;
-                        seen[g.Index] = true;
-                        open.Push(g);
-                    }
-                }
-            }
-            return components;
-        },
-        (_, components, result) => result.Add("components", components).Add("impl", "harness"));
+        mesh => mesh.FindComponents(),
+        (_, components, result) => result.Add("components", components.Count));
 
     [PeerOp("boundary-loops")]
     public static void BoundaryLoops(PeerRun run) => run.Measure(
         run.Model.NewMesh,
-        mesh =>
-        {
-            (long Loops, long Border) counts = default;
-            var seen = new bool[mesh.HalfEdgeSlots];
-            foreach (HalfEdge h in mesh.HalfEdges)
-            {
-                if (!h.IsBoundary || seen[h.Index])
-                    continue;
-                counts.Loops++;
-                foreach (HalfEdge g in h.Loop)
-                {
-                    seen[g.Index] = true;
-                    counts.Border++;
-                }
-            }
-            return counts;
-        },
-        (_, counts, result) => result.Add("loops", counts.Loops).Add("border_edges", counts.Border).Add("impl", "harness"));
+        mesh => mesh.FindBoundaryLoops(),
+        (_, loops, result) => result.Add("loops", loops.Count).Add("border_edges", loops.Sum(loop => loop.Count)));
 
     [PeerOp("memory")]
     public static void Memory(PeerRun run)
