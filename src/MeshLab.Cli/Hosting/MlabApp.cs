@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Help;
 using System.CommandLine.Invocation;
+using System.Globalization;
 using System.Text;
 using System.Text.Json;
 using MeshLab.Numerics;
@@ -20,6 +21,8 @@ internal static class MlabApp
 
     public static int Run(string[] args, TextWriter output, TextWriter error, CancellationToken cancellationToken = default)
     {
+        // Numbers in options are read the same everywhere.
+        CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;
         int status = 0;
         RootCommand root = BuildRoot((verb, parsed) => status = RunVerb(verb, parsed, output, error, cancellationToken));
         ParseResult parsed = root.Parse(args);
