@@ -59,19 +59,44 @@ internal sealed class RegionFlood
         Fit();
     }
 
-    /// <summary>A new region at the face with the largest error that is not a seed already.</summary>
+    /// <summary>Divides the region with the largest error: one part begins at its worst face, the other at the face that disagrees most with that one.</summary>
     public void AddAtWorstFace()
+    {
+        var errors = new double[Count];
+        foreach (int f in Geometry.Live)
+            errors[Labels[f]] += ErrorOf(f, proxies[Labels[f]]);
+        var order = new int[Count];
+        for (int r = 0; r < order.Length; r++)
+            order[r] = r;
+        Array.Sort(order, (a, b) => errors[a] != errors[b] ? errors[b].CompareTo(errors[a]) : a.CompareTo(b));
+        int worst = -1, region = -1;
+        for (int i = 0; worst < 0; i++)
+        {
+            region = order[i];
+            worst = MostDifferent(region, proxies[region].Normal, seeds[region]);
+        }
+        int opposite = MostDifferent(region, Geometry.Normals[worst], worst);
+        seeds = [.. seeds, worst];
+        proxies = [.. proxies, new PlanarProxy(Geometry.Centers[worst], Geometry.Normals[worst])];
+        seeds[region] = opposite;
+        proxies[region] = new PlanarProxy(Geometry.Centers[opposite], Geometry.Normals[opposite]);
+    }
+
+    /// <summary>The face of a region whose normal differs most from a direction, area aside, other than one face; −1 if there is none.</summary>
+    private int MostDifferent(int region, Vector3D normal, int except)
     {
         int worst = -1;
         double largest = double.NegativeInfinity;
         foreach (int f in Geometry.Live)
         {
-            double error = ErrorOf(f, proxies[Labels[f]]);
-            if (error > largest && Array.IndexOf(seeds, f) < 0)
+            if (Labels[f] != region || f == except)
+                continue;
+            // A face without area disagrees with nothing.
+            double error = Geometry.Areas[f] > 0 ? (Geometry.Normals[f] - normal).LengthSquared : -1;
+            if (error > largest)
                 (worst, largest) = (f, error);
         }
-        seeds = [.. seeds, worst];
-        proxies = [.. proxies, new PlanarProxy(Geometry.Centers[worst], Geometry.Normals[worst])];
+        return worst;
     }
 
     /// <summary>Grows all regions at once from their seeds, the face with the least error first; ties by face, then region.</summary>

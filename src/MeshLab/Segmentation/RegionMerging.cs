@@ -6,7 +6,7 @@ namespace MeshLab.Segmentation;
 /// <summary>Merges neighbouring regions where the border between them is not sharp.</summary>
 public static class RegionMerging
 {
-    /// <summary>Merges regions, the flattest border first, while its mean dihedral angle (weighted by length) is below an angle.</summary>
+    /// <summary>Merges regions, the flattest border first, while less than half of its length is sharper than an angle.</summary>
     /// <param name="mesh">The mesh.</param>
     /// <param name="labels">Labels per face slot; changed.</param>
     /// <param name="angle">In radians.</param>
@@ -16,8 +16,8 @@ public static class RegionMerging
         ArgumentNullException.ThrowIfNull(labels);
         while (true)
         {
-            ((int A, int B) pair, double flattest) = FlattestBorder(mesh, labels);
-            if (!(flattest < angle))
+            ((int A, int B) pair, double flattest) = FlattestBorder(mesh, labels, angle);
+            if (!(flattest < 0.5))
                 return;
             for (int f = 0; f < labels.Length; f++)
             {
@@ -27,7 +27,8 @@ public static class RegionMerging
         }
     }
 
-    private static ((int A, int B) Pair, double Angle) FlattestBorder(Mesh mesh, int[] labels)
+    /// <summary>The border with the smallest part that is sharp.</summary>
+    private static ((int A, int B) Pair, double SharpPart) FlattestBorder(Mesh mesh, int[] labels, double angle)
     {
         var geometry = new FaceGeometry(mesh);
         var borders = new SortedDictionary<(int, int), (double Length, double Turn)>();
@@ -42,7 +43,7 @@ public static class RegionMerging
             // A face without area has no normal and says nothing about the border.
             bool known = geometry.Normals[f] != Vector3D.Zero && geometry.Normals[g] != Vector3D.Zero;
             (double sum, double turn) = borders.GetValueOrDefault((a, b));
-            borders[(a, b)] = known ? (sum + length, turn + length * Vector3D.Angle(geometry.Normals[f], geometry.Normals[g])) : (sum, turn);
+            borders[(a, b)] = known ? (sum + length, turn + (Vector3D.Angle(geometry.Normals[f], geometry.Normals[g]) > angle ? length : 0)) : (sum, turn);
         }
         (int, int) best = (-1, -1);
         double flattest = double.PositiveInfinity;

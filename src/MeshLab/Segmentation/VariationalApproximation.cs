@@ -20,7 +20,7 @@ public sealed record VariationalOptions
         init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "The number of teleportations is 0 or more.");
     } = 20;
 
-    /// <summary>At the end regions are merged across borders whose mean dihedral angle is below this, in radians; 0 for none.</summary>
+    /// <summary>At the end regions are merged across borders less than half of which are sharper than this dihedral angle, in radians; 0 for no merging.</summary>
     public double MergeAngle
     {
         get;

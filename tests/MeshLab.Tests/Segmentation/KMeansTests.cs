@@ -53,7 +53,7 @@ public class KMeansTests
     [Fact]
     public void Segment_OneAndManyThreads_GiveTheSameBits()
     {
-        Mesh mesh = Generation.Spheres.UvSphere(60);
+        Mesh mesh = Models.Create("bipyramid-1200");
         FaceSegmentation many = KMeans.Segment(mesh, 9);
         int before = Parallelism.MaxThreads;
         Parallelism.MaxThreads = 1;

@@ -36,18 +36,18 @@ public class VariationalApproximationTests
     }
 
     [SkippableTheory]
-    [InlineData("fandisk", 60)]
-    [InlineData("featuretype", 80)]
+    [InlineData("fandisk", 100)]
+    [InlineData("featuretype", 120)]
     public void Segment_CadModels_GiveTheRegionsBetweenSharpEdges(string model, int regions)
     {
         ReferenceData.SkipIfMissing();
         Mesh mesh = ReferenceData.Load(model);
-        int[] expected = CadRegions.Between(mesh, 30, out _);
+        int[] expected = CadRegions.Between(mesh, 20, out _);
 
         VariationalResult result = VariationalApproximation.Segment(mesh, regions, new VariationalOptions { MergeAngle = 20 * Math.PI / 180, MaxTeleports = 5 });
 
         double agreement = SegmentationMeasures.AdjustedRandIndex(expected, result.Segmentation.Labels);
-        Assert.True(agreement >= 0.95, $"adjusted Rand index {agreement}");
+        Assert.True(agreement >= 0.95, $"adjusted Rand index {agreement}, {result.Segmentation.Count} segments");
     }
 
     [Fact]
