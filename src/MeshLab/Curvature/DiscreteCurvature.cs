@@ -49,24 +49,7 @@ public static class DiscreteCurvature
         {
             mesh.RequireTriangles();
             var result = new VertexCurvatures(new double[mesh.VertexSlots], new double[mesh.VertexSlots]);
-            int[] next = mesh.next, target = mesh.target, outgoing = mesh.outgoing, face = mesh.face;
-            Vector3D[] positions = mesh.positions;
-            Parallelism.ForBlocks(mesh.VertexSlots, (from, to) =>
-            {
-                double[] gaussian = result.Gaussian, mean = result.Mean;
-                for (int v = from; v < to; v++)
-                {
-                    int h = outgoing[v];
-                    if (h < 0)
-                    {
-                        gaussian[v] = mean[v] = double.NaN;
-                        continue;
-                    }
-                    CurvatureSum sum = Around(next, target, positions, positions[v], h, face[h] < 0);
-                    gaussian[v] = sum.Gaussian;
-                    mean[v] = sum.Mean;
-                }
-            });
+            Parallelism.ForBlocks(mesh.VertexSlots, (from, to) => Block(mesh, result.Gaussian, result.Mean, from, to));
             return result;
         }
 
@@ -96,6 +79,25 @@ public static class DiscreteCurvature
                 }
             });
             return normals;
+        }
+    }
+
+    /// <summary>Fills a block; its arrays are locals, because those of a closure would be read again at every step.</summary>
+    private static void Block(Mesh mesh, double[] gaussian, double[] mean, int from, int to)
+    {
+        int[] next = mesh.next, target = mesh.target, outgoing = mesh.outgoing, face = mesh.face;
+        Vector3D[] positions = mesh.positions;
+        for (int v = from; v < to; v++)
+        {
+            int h = outgoing[v];
+            if (h < 0)
+            {
+                gaussian[v] = mean[v] = double.NaN;
+                continue;
+            }
+            CurvatureSum sum = Around(next, target, positions, positions[v], h, face[h] < 0);
+            gaussian[v] = sum.Gaussian;
+            mean[v] = sum.Mean;
         }
     }
 

@@ -42,25 +42,9 @@ public static class FaceNormals
         public Vector3D[] ComputeFaceNormals(out int zeroAreaFaces)
         {
             ArgumentNullException.ThrowIfNull(mesh);
-            int[] next = mesh.next, target = mesh.target, halfEdgeOf = mesh.halfEdgeOf;
-            Vector3D[] positions = mesh.positions;
             var normals = new Vector3D[mesh.FaceSlots];
             int degenerate = 0;
-            Parallelism.ForBlocks(normals.Length, (from, to) =>
-            {
-                int degenerateHere = 0;
-                for (int f = from; f < to; f++)
-                {
-                    int h = halfEdgeOf[f];
-                    if (h < 0)
-                        continue;
-                    Vector3D normal = Areas.Unit(Areas.DoubleArea(next, target, positions, h));
-                    normals[f] = normal;
-                    if (normal == default)
-                        degenerateHere++;
-                }
-                Interlocked.Add(ref degenerate, degenerateHere);
-            });
+            Parallelism.ForBlocks(normals.Length, (from, to) => Interlocked.Add(ref degenerate, Block(mesh, normals, from, to)));
             zeroAreaFaces = degenerate;
             return normals;
         }
@@ -94,5 +78,25 @@ public static class FaceNormals
             });
             return centers;
         }
+    }
+
+    /// <summary>Fills a block; its arrays are locals, because those of a closure would be read again at every step.</summary>
+    /// <returns>How many faces have zero area.</returns>
+    private static int Block(Mesh mesh, Vector3D[] normals, int from, int to)
+    {
+        int[] next = mesh.next, target = mesh.target, halfEdgeOf = mesh.halfEdgeOf;
+        Vector3D[] positions = mesh.positions;
+        int degenerate = 0;
+        for (int f = from; f < to; f++)
+        {
+            int h = halfEdgeOf[f];
+            if (h < 0)
+                continue;
+            Vector3D normal = Areas.Unit(Areas.DoubleArea(next, target, positions, h));
+            normals[f] = normal;
+            if (normal == default)
+                degenerate++;
+        }
+        return degenerate;
     }
 }

@@ -86,28 +86,36 @@ public static class VertexNormals
     /// <summary>The sums of the unit normals of the faces around.</summary>
     private static Vector3D[] MeansOfFaces(Mesh mesh, Vector3D[] faceNormals)
     {
-        int[] next = mesh.next, outgoing = mesh.outgoing, face = mesh.face;
         var normals = new Vector3D[mesh.VertexSlots];
-        Parallelism.ForBlocks(normals.Length, (from, to) =>
+        Parallelism.ForBlocks(normals.Length, (from, to) => Block(mesh, faceNormals, normals, from, to));
+        return normals;
+
+        // Arrays in locals: those of a closure would be read again at every step.
+        static void Block(Mesh mesh, Vector3D[] faceNormals, Vector3D[] normals, int from, int to)
         {
+            int[] next = mesh.next, outgoing = mesh.outgoing, face = mesh.face;
             for (int v = from; v < to; v++)
             {
                 int start = outgoing[v], h = start;
                 if (h < 0)
                     continue;
-                Vector3D sum = default;
+                double x = 0, y = 0, z = 0;
                 do
                 {
                     int f = face[h];
                     if (f >= 0)
-                        sum += faceNormals[f];
+                    {
+                        ref readonly Vector3D normal = ref faceNormals[f];
+                        x += normal.X;
+                        y += normal.Y;
+                        z += normal.Z;
+                    }
                     h = next[h ^ 1];
                 }
                 while (h != start);
-                normals[v] = Areas.Unit(sum);
+                normals[v] = Areas.Unit(new(x, y, z));
             }
-        });
-        return normals;
+        }
     }
 
     /// <summary>The face's contribution at the corner where the half-edge begins.</summary>
@@ -148,11 +156,14 @@ public static class VertexNormals
     private static Vector3D[] OfTriangles<TSum>(Mesh mesh)
         where TSum : struct, INormalSum
     {
-        int[] next = mesh.next, target = mesh.target, outgoing = mesh.outgoing, face = mesh.face;
-        Vector3D[] positions = mesh.positions;
         var normals = new Vector3D[mesh.VertexSlots];
-        Parallelism.ForBlocks(normals.Length, (from, to) =>
+        Parallelism.ForBlocks(normals.Length, (from, to) => Block(mesh, normals, from, to));
+        return normals;
+
+        static void Block(Mesh mesh, Vector3D[] normals, int from, int to)
         {
+            int[] next = mesh.next, target = mesh.target, outgoing = mesh.outgoing, face = mesh.face;
+            Vector3D[] positions = mesh.positions;
             for (int v = from; v < to; v++)
             {
                 int h = outgoing[v];
@@ -162,8 +173,7 @@ public static class VertexNormals
                 CornerSum.Around(next, target, positions, positions[v], h, face[h] < 0, ref sum);
                 normals[v] = Areas.Unit(sum.Normal);
             }
-        });
-        return normals;
+        }
     }
 
     private static ArgumentOutOfRangeException Unknown(VertexNormalWeight weight) => new(nameof(weight), weight, "There is no such weight.");
