@@ -14,9 +14,10 @@ public static class RegionMerging
     {
         ArgumentNullException.ThrowIfNull(mesh);
         ArgumentNullException.ThrowIfNull(labels);
+        List<Crossing> crossings = InnerEdges(mesh, angle);
         while (true)
         {
-            ((int A, int B) pair, double flattest) = FlattestBorder(mesh, labels, angle);
+            ((int A, int B) pair, double flattest) = FlattestBorder(crossings, labels);
             if (!(flattest < 0.5))
                 return;
             for (int f = 0; f < labels.Length; f++)
@@ -27,31 +28,45 @@ public static class RegionMerging
         }
     }
 
-    /// <summary>The border with the smallest part that is sharp.</summary>
-    private static ((int A, int B) Pair, double SharpPart) FlattestBorder(Mesh mesh, int[] labels, double angle)
+    /// <summary>An inner edge as borders see it.</summary>
+    private readonly record struct Crossing(int Face0, int Face1, double Length, double SharpLength);
+
+    private static List<Crossing> InnerEdges(Mesh mesh, double angle)
     {
         var geometry = new FaceGeometry(mesh);
-        var borders = new SortedDictionary<(int, int), (double Length, double Turn)>();
+        var crossings = new List<Crossing>(mesh.Edges.Count);
         foreach (Edge e in mesh.Edges)
         {
             if (e.IsBoundary)
                 continue;
-            int f = e.Face0.Index, g = e.Face1.Index, a = Math.Min(labels[f], labels[g]), b = Math.Max(labels[f], labels[g]);
-            if (a == b)
-                continue;
-            double length = e.Length;
+            int f = e.Face0.Index, g = e.Face1.Index;
             // A face without area has no normal and says nothing about the border.
             bool known = geometry.Normals[f] != Vector3D.Zero && geometry.Normals[g] != Vector3D.Zero;
-            (double sum, double turn) = borders.GetValueOrDefault((a, b));
-            borders[(a, b)] = known ? (sum + length, turn + (Vector3D.Angle(geometry.Normals[f], geometry.Normals[g]) > angle ? length : 0)) : (sum, turn);
+            double length = known ? e.Length : 0;
+            crossings.Add(new(f, g, length, known && Vector3D.Angle(geometry.Normals[f], geometry.Normals[g]) > angle ? length : 0));
+        }
+        return crossings;
+    }
+
+    /// <summary>The border with the smallest part that is sharp; the pair with the lowest labels on a tie.</summary>
+    private static ((int A, int B) Pair, double SharpPart) FlattestBorder(List<Crossing> crossings, int[] labels)
+    {
+        var borders = new SortedDictionary<(int, int), (double Length, double Sharp)>();
+        foreach (Crossing c in crossings)
+        {
+            int a = Math.Min(labels[c.Face0], labels[c.Face1]), b = Math.Max(labels[c.Face0], labels[c.Face1]);
+            if (a == b)
+                continue;
+            (double length, double sharp) = borders.GetValueOrDefault((a, b));
+            borders[(a, b)] = (length + c.Length, sharp + c.SharpLength);
         }
         (int, int) best = (-1, -1);
         double flattest = double.PositiveInfinity;
-        foreach (((int, int) pair, (double length, double turn)) in borders)
+        foreach (((int, int) pair, (double length, double sharp)) in borders)
         {
-            double mean = length > 0 ? turn / length : 0;
-            if (mean < flattest)
-                (best, flattest) = (pair, mean);
+            double part = length > 0 ? sharp / length : 0;
+            if (part < flattest)
+                (best, flattest) = (pair, part);
         }
         return (best, flattest);
     }
