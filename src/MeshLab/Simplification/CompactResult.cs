@@ -73,7 +73,21 @@ internal sealed class CompactResult
 
     private void Fill()
     {
-        for (int v = 0; v < Maps.Vertices.Length; v++)
+        Parallelism.ForBlocks(Maps.Vertices.Length, FillVertices);
+        Parallelism.ForBlocks(Maps.HalfEdges.Length, FillHalfEdges);
+        Parallelism.ForBlocks(Maps.Faces.Length, (first, end) =>
+        {
+            for (int f = first; f < end; f++)
+            {
+                if (Maps.Faces[f] >= 0)
+                    HalfEdgeOf[Maps.Faces[f]] = Maps.HalfEdges[working.HalfEdgeOf[f]];
+            }
+        });
+    }
+
+    private void FillVertices(int first, int end)
+    {
+        for (int v = first; v < end; v++)
         {
             int to = Maps.Vertices[v];
             if (to < 0)
@@ -82,7 +96,11 @@ internal sealed class CompactResult
             int h = working.Outgoing[v];
             Outgoing[to] = h < 0 ? h : Maps.HalfEdges[h];
         }
-        for (int h = 0; h < Maps.HalfEdges.Length; h++)
+    }
+
+    private void FillHalfEdges(int first, int end)
+    {
+        for (int h = first; h < end; h++)
         {
             int to = Maps.HalfEdges[h];
             if (to < 0)
@@ -92,11 +110,6 @@ internal sealed class CompactResult
             Previous[to] = Maps.HalfEdges[row.Previous];
             Target[to] = Maps.Vertices[row.Target];
             Face[to] = row.Face < 0 ? -1 : Maps.Faces[row.Face];
-        }
-        for (int f = 0; f < Maps.Faces.Length; f++)
-        {
-            if (Maps.Faces[f] >= 0)
-                HalfEdgeOf[Maps.Faces[f]] = Maps.HalfEdges[working.HalfEdgeOf[f]];
         }
     }
 }

@@ -123,17 +123,16 @@ internal sealed class EdgeContraction
     {
         Regions split = new(Working, regions);
         var loops = new CollapseLoop<TCost>[regions];
-        for (int r = 0; r < regions; r++)
-            loops[r] = NewLoop(cost, new BucketQueue(scale, links), null);
-        for (int e = Working.EdgeSlots - 1; e >= 0; e--)
+        byte[] regionOf = split.RegionsOfEdges();
+        Parallelism.ForBlocks(regions, 1, (r, _) =>
         {
-            if (Working.States[e] == EdgeState.Deleted)
-                continue;
-            int region = split.RegionOfEdge(e);
-            if (region >= 0)
-                loops[region].Queue.Insert(e, Working.Keys[e]);
-        }
-
+            loops[r] = NewLoop(cost, new BucketQueue(scale, links), null);
+            for (int e = regionOf.Length - 1; e >= 0; e--)
+            {
+                if (regionOf[e] == r)
+                    loops[r].Queue.Insert(e, Working.Keys[e]);
+            }
+        });
         int stop = split.WhereToStop(targetFaces);
         for (int bucket = 0; bucket < scale.Count && Working.FaceCount - Removed(loops) > stop; bucket++)
         {

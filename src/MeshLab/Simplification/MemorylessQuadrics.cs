@@ -46,9 +46,9 @@ internal readonly struct MemorylessQuadrics : IEdgeCost
         sum.Add(in history[v], HistoryWeight);
         // The faces beside the edge are in both sums, and will be gone.
         if (rows[h].Face >= 0)
-            planes.AddFace(ref sum, rows[h].Face, -1);
+            planes.AddFace(ref sum, u, v, rows[rows[h].Next].Target, -1);
         if (rows[h + 1].Face >= 0)
-            planes.AddFace(ref sum, rows[h + 1].Face, -1);
+            planes.AddFace(ref sum, v, u, rows[rows[h + 1].Next].Target, -1);
         weight = sum.Weight;
         return placement.Choose(in sum, edge, u, v, out position);
     }

@@ -28,27 +28,49 @@ internal sealed class Regions
     /// <summary>How many parts a mesh of that size has: as many as pay, whatever the number of threads.</summary>
     public static int CountFor(int faces) => faces < 20_000 ? 1 : faces < 200_000 ? 2 : 16;
 
-    /// <summary>The region in which an edge may be contracted; −1 if in none.</summary>
-    public int RegionOfEdge(int edge)
+    /// <summary>What <see cref="RegionsOfEdges"/> says of an edge that may be contracted in no region.</summary>
+    public const byte None = Locked;
+
+    /// <summary>Per edge, the region in which it may be contracted.</summary>
+    public byte[] RegionsOfEdges()
     {
-        byte a = regionOf[mesh.Rows[2 * edge].Target], b = regionOf[mesh.Rows[2 * edge + 1].Target];
-        return a == b && a != Locked ? a : -1;
+        byte[] regions = GC.AllocateUninitializedArray<byte>(mesh.EdgeSlots);
+        Parallelism.ForBlocks(regions.Length, (first, end) =>
+        {
+            for (int e = first; e < end; e++)
+            {
+                if (mesh.States[e] == EdgeState.Deleted)
+                {
+                    regions[e] = None;
+                    continue;
+                }
+                byte a = regionOf[mesh.Rows[2 * e].Target], b = regionOf[mesh.Rows[2 * e + 1].Target];
+                regions[e] = a == b ? a : None;
+            }
+        });
+        return regions;
     }
 
     /// <summary>The number of faces at which the parts stop, so that the locked strips between them can be thinned out like the rest.</summary>
     public int WhereToStop(int targetFaces)
     {
-        int locked = 0;
-        for (int f = 0; f < mesh.HalfEdgeOf.Length; f++)
+        double locked = Parallelism.SumBlocks(mesh.HalfEdgeOf.Length, (first, end) =>
         {
-            int h = mesh.HalfEdgeOf[f];
-            if (h < 0)
-                continue;
-            ref HalfEdgeRow row = ref mesh.Rows[h];
-            if (regionOf[row.Target] == Locked || regionOf[mesh.Rows[row.Next].Target] == Locked || regionOf[mesh.Rows[row.Previous].Target] == Locked)
-                locked++;
-        }
+            int count = 0;
+            for (int f = first; f < end; f++)
+            {
+                if (mesh.HalfEdgeOf[f] >= 0 && TouchesLocked(mesh.HalfEdgeOf[f]))
+                    count++;
+            }
+            return count;
+        });
         return targetFaces + (int)(locked * (1 - targetFaces / (double)mesh.FaceCount));
+    }
+
+    private bool TouchesLocked(int h)
+    {
+        ref HalfEdgeRow row = ref mesh.Rows[h];
+        return regionOf[row.Target] == Locked || regionOf[mesh.Rows[row.Next].Target] == Locked || regionOf[mesh.Rows[row.Previous].Target] == Locked;
     }
 
     private bool HasNeighborElsewhere(int vertex, UncheckedArray<byte> all)

@@ -35,7 +35,7 @@ internal sealed class VertexQuadrics(WorkingMesh mesh, bool areaWeights, double 
         {
             ref HalfEdgeRow row = ref rows[g];
             if (row.Face >= 0)
-                AddFace(ref sum, row.Face, 1);
+                AddFace(ref sum, vertex, row.Target, rows[row.Next].Target, 1);
             int otherFace = rows[g ^ 1].Face;
             if (borderWeight > 0 && IsHeld(g, row.Face, otherFace))
                 AddBorder(ref sum, vertex, row.Target, rows[row.Face >= 0 ? row.Next : rows[g ^ 1].Next].Target);
@@ -44,13 +44,15 @@ internal sealed class VertexQuadrics(WorkingMesh mesh, bool areaWeights, double 
         while (g != start);
     }
 
-    /// <summary>Adds the plane of a face, or with sign −1 takes it away.</summary>
+    /// <summary>Adds the plane of the triangle of three vertices, or with sign −1 takes it away.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void AddFace(ref Quadric sum, int face, double sign)
+    public void AddFace(ref Quadric sum, int i, int j, int k, double sign)
     {
         // Always the same corner first, so that a plane has the same bits from wherever it is seen, and taking it away leaves nothing.
-        int h = mesh.HalfEdgeOf[face];
-        int i = mesh.Rows[h].Target, j = mesh.Rows[mesh.Rows[h].Next].Target, k = mesh.Rows[mesh.Rows[h].Previous].Target;
+        if (j < i)
+            (i, j, k) = j < k ? (j, k, i) : (k, i, j);
+        else if (k < i)
+            (i, j, k) = (k, i, j);
         Vector3D p = mesh.Positions[i], a = mesh.Positions[j], b = mesh.Positions[k];
         Vector3D normal = Vector3D.Cross(a - p, b - p);
         double length = normal.Length;
