@@ -7,7 +7,8 @@ namespace MeshLab.Simplification;
 /// <param name="HalfEdge">The half-edge from the removed vertex to the kept one.</param>
 /// <param name="Merges">Which edges stayed.</param>
 /// <param name="Position">Where the kept vertex went, in working units.</param>
-internal readonly record struct CollapseStep(int HalfEdge, Merges Merges, Vector3D Position);
+/// <param name="Traits">How much the log of traits held before.</param>
+internal readonly record struct CollapseStep(int HalfEdge, Merges Merges, Vector3D Position, TraitLogMark Traits);
 
 /// <summary>Hears of every contraction before it is done.</summary>
 internal abstract class CollapseLog
@@ -16,11 +17,13 @@ internal abstract class CollapseLog
 }
 
 /// <summary>Keeps all contractions.</summary>
-internal sealed class StepLog : CollapseLog
+/// <param name="traits">The log of what the contractions do to traits, if any; it hears of them itself.</param>
+internal sealed class StepLog(TraitLog? traits) : CollapseLog
 {
     public List<CollapseStep> Steps { get; } = [];
 
-    public override void BeforeCollapse(WorkingMesh mesh, int h, Vector3D position, Merges merges) => Steps.Add(new(h, merges, position));
+    public override void BeforeCollapse(WorkingMesh mesh, int h, Vector3D position, Merges merges) => 
+        Steps.Add(new(h, merges, position, traits?.Mark ?? default));
 }
 
 /// <summary>Tells several.</summary>
@@ -43,6 +46,9 @@ internal sealed class LogGroup(CollapseLog[] logs) : CollapseLog
             log.BeforeCollapse(mesh, h, position, merges);
     }
 }
+
+/// <summary>How much a <see cref="TraitLog"/> holds.</summary>
+internal readonly record struct TraitLogMark(int Vertices, int Corners, int Edges);
 
 /// <summary>Writes what contractions do to traits down as copies and mixtures, so that the mesh itself stays untouched until all is done.</summary>
 internal sealed class TraitLog : CollapseLog
@@ -77,6 +83,42 @@ internal sealed class TraitLog : CollapseLog
         NoteMerge(mesh, h ^ 1, (merges & Merges.RightNextStays) != Merges.None);
     }
 
+    /// <summary>How much was written down so far: a mark for <see cref="Apply(TraitLogMark, TraitLogMark, IReadOnlyList{TraitDelta})"/>.</summary>
+    public TraitLogMark Mark => new(vertices.Count, corners.Count, edges.Count);
+
+    /// <summary>Does what was written down between two marks, and notes what was there before.</summary>
+    public void Apply(TraitLogMark from, TraitLogMark to, IReadOnlyList<TraitDelta> deltas)
+    {
+        foreach (TraitDelta delta in deltas)
+        {
+            Trait trait = delta.Trait;
+            switch (trait.Kind)
+            {
+                case ElementKind.Vertex:
+                    for (int i = from.Vertices; i < to.Vertices; i++)
+                    {
+                        delta.Note(vertices[i].To);
+                        trait.Mix(vertices[i].To, vertices[i].First, vertices[i].Second, vertices[i].T);
+                    }
+                    break;
+                case ElementKind.HalfEdge:
+                    for (int i = from.Corners; i < to.Corners; i++)
+                    {
+                        delta.Note(corners[i].To);
+                        Mix(trait, corners[i]);
+                    }
+                    break;
+                case ElementKind.Edge:
+                    for (int i = from.Edges; i < to.Edges; i++)
+                    {
+                        delta.Note(edges[i].To);
+                        trait.Mix(edges[i].To, edges[i].To, edges[i].Other, 0.5);
+                    }
+                    break;
+            }
+        }
+    }
+
     /// <summary>Does to the traits of a mesh with the same slots all that was written down, in order.</summary>
     public void Apply(Mesh mesh)
     {
@@ -87,19 +129,22 @@ internal sealed class TraitLog : CollapseLog
         }
         foreach (Trait trait in mesh.HalfEdgeTraits)
         {
-            foreach (var (to, first, second, t) in corners)
-            {
-                if (first == second)
-                    trait.Copy(first, to);
-                else
-                    trait.Mix(to, first, second, t);
-            }
+            foreach (var corner in corners)
+                Mix(trait, corner);
         }
         foreach (Trait trait in mesh.EdgeTraits)
         {
             foreach (var (to, other) in edges)
                 trait.Mix(to, to, other, 0.5);
         }
+    }
+
+    private static void Mix(Trait trait, (int To, int First, int Second, double T) corner)
+    {
+        if (corner.First == corner.Second)
+            trait.Copy(corner.First, corner.To);
+        else
+            trait.Mix(corner.To, corner.First, corner.Second, corner.T);
     }
 
     /// <summary>Where between two ends a position lies: 0 at the first, 1 at the second.</summary>

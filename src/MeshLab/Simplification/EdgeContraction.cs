@@ -14,7 +14,7 @@ internal sealed class EdgeContraction
     private readonly TraitLog? traits;
     private int stamp;
 
-    public EdgeContraction(Mesh mesh, QuadricOptions options, CollapseLog? extraLog, IProgress<double>? progress, CancellationToken cancellationToken)
+    public EdgeContraction(Mesh mesh, QuadricOptions options, TraitLog? traits, CollapseLog? extraLog, IProgress<double>? progress, CancellationToken cancellationToken)
     {
         this.options = options;
         this.extraLog = extraLog;
@@ -22,7 +22,7 @@ internal sealed class EdgeContraction
         this.cancellationToken = cancellationToken;
         facesBefore = mesh.Faces.Count;
         Working = new WorkingMesh(mesh) { Constraints = Constraints.From(mesh, options) };
-        traits = TraitLog.For(mesh);
+        this.traits = traits;
     }
 
     public WorkingMesh Working { get; }
@@ -168,7 +168,7 @@ internal sealed class EdgeContraction
         where TCost : struct, IEdgeCost
     {
         double limit = options.MaxError is double error ? error / Working.Scale : double.PositiveInfinity;
-        var settings = new LoopSettings(options.AllowFlips, limit * limit, LogGroup.Of(traits, extraLog));
+        var settings = new LoopSettings(options.AllowFlips, limit * limit, LogGroup.Of(extraLog, traits));
         return new CollapseLoop<TCost>(Working, cost, queue, settings, stamp, report, cancellationToken);
     }
 

@@ -51,24 +51,34 @@ public static class QuadricErrorMetric
     private static SimplificationResult RunFast(
         Mesh mesh, QuadricOptions options, int target, IProgress<double>? progress, CancellationToken cancellationToken)
     {
-        var contraction = new EdgeContraction(mesh, options, TraceLog.For(options.Trace), progress, cancellationToken);
-        contraction.ContractBySums(target);
+        var contraction = new EdgeContraction(mesh, options, TraitLog.For(mesh), TraceLog.For(options.Trace), progress, cancellationToken);
+        Contract(contraction, options, target);
         return Finish(mesh, contraction, new CompactResult(contraction.Working), options, target, cancellationToken);
     }
 
     private static SimplificationResult RunAccurate(
         Mesh mesh, QuadricOptions options, int target, IProgress<double>? progress, CancellationToken cancellationToken)
     {
-        var contraction = new EdgeContraction(mesh, options, TraceLog.For(options.Trace), progress, cancellationToken) { ProgressShare = 0.8 };
+        var contraction = new EdgeContraction(mesh, options, TraitLog.For(mesh), TraceLog.For(options.Trace), progress, cancellationToken) { ProgressShare = 0.8 };
         contraction.Working.TrackSuccessors();
-        // Without a number of faces to approach, sums say best where the error limit is.
-        UncheckedArray<Quadric> sums = contraction.ContractBySums(target == 0 ? 0 : (int)Math.Min(mesh.Faces.Count, MemorylessFactor * target));
-        if (target > 0)
-            contraction.ContractMemoryless(sums, target);
+        Contract(contraction, options, target);
         var result = new CompactResult(contraction.Working);
         if (options.Placement == VertexPlacement.Optimal)
             SurfaceFit.Run(mesh, contraction.Working, result, cancellationToken);
         return Finish(mesh, contraction, result, options, target, cancellationToken);
+    }
+
+    /// <summary>Contracts edges as the mode says, until the number of faces is reached; 0 for as far as possible.</summary>
+    internal static void Contract(EdgeContraction contraction, QuadricOptions options, int target)
+    {
+        // Without a number of faces to approach, sums say best where the error limit is.
+        if (options.Mode != QuadricMode.Accurate || target == 0)
+        {
+            contraction.ContractBySums(target);
+            return;
+        }
+        UncheckedArray<Quadric> sums = contraction.ContractBySums((int)Math.Min(int.MaxValue, MemorylessFactor * target));
+        contraction.ContractMemoryless(sums, target);
     }
 
     /// <summary>Changes the mesh: from here on nothing may fail.</summary>
@@ -93,7 +103,7 @@ public static class QuadricErrorMetric
     }
 
     /// <summary>The number of faces to reach; 0 if only the error limits.</summary>
-    private static int TargetOf(Mesh mesh, QuadricOptions options)
+    internal static int TargetOf(Mesh mesh, QuadricOptions options)
     {
         if (options.TargetFaces is null && options.TargetRatio is null && options.MaxError is null)
             throw new ArgumentException("Set a number of faces, a ratio or a largest error.", nameof(options));

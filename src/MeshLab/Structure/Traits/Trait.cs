@@ -59,6 +59,9 @@ public abstract class Trait
 
     /// <summary>Gives one element the default value.</summary>
     internal abstract void Reset(int index);
+
+    /// <summary>A record of what a number of steps do to the trait.</summary>
+    internal abstract TraitDelta NewDelta(int steps);
 }
 
 /// <summary>A trait with values of a type.</summary>
@@ -157,6 +160,8 @@ public abstract class Trait<T> : Trait
         }
         Set(to, value);
     }
+
+    internal override TraitDelta NewDelta(int steps) => new TraitDelta<T>(this, steps);
 
     internal override void Reset(int index) => Set(index, DefaultValue);
 
