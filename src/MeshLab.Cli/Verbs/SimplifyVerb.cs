@@ -1,0 +1,176 @@
+using System.CommandLine;
+using MeshLab.Cli.Hosting;
+using MeshLab.Simplification;
+using MeshLab.Structure;
+
+namespace MeshLab.Cli.Verbs;
+
+internal sealed class SimplifyVerb : Verb
+{
+    private readonly Argument<string> input = InputArgument();
+    private readonly Argument<string> output = OutputArgument();
+
+    private readonly Option<string> method = new("--method")
+    {
+        Description = "qem, qem-accurate, qem-textbook, clustering, shortest-edge, smallest-triangle or lowest-curvature.",
+        DefaultValueFactory = _ => "qem",
+    };
+
+    private readonly Option<int> faces = new("--faces") { Description = "The number of faces to reach." };
+    private readonly Option<double> ratio = new("--ratio") { Description = "The part of the faces to keep, between 0 and 1." };
+    private readonly Option<double> maxError = new("--max-error") { Description = "For qem: the largest error of a contraction, in model units." };
+    private readonly Option<double> cellSize = new("--cell-size") { Description = "For clustering: the side of a cell, in model units." };
+    private readonly Option<int> cells = new("--cells") { Description = "For clustering: cells along the shortest side of the box." };
+
+    private readonly Option<string> boundary = new("--boundary")
+    {
+        Description = "What boundaries do: free, weighted (held by planes) or locked.",
+        DefaultValueFactory = _ => "weighted",
+    };
+
+    private readonly Option<bool> allowFlips = new("--allow-flips") { Description = "Faces may turn over." };
+    private readonly Option<double> featureAngle = new("--feature-angle") { Description = "For qem: keep edges that bend by more than so many degrees." };
+    private readonly Option<bool> keepTopology = new("--keep-topology") { Description = "For clustering: only contract legal edges within a cell." };
+    private readonly Option<bool> quadric = new("--quadric-optimum") { Description = "For clustering: the quadric's optimum in place of the mean." };
+    private readonly Option<string> trace = new("--trace") { Description = "For qem: write every contraction to a file, a line of JSON each." };
+    private readonly Option<string> record = new("--record") { Description = "For qem: write the progressive mesh to a file (.pm)." };
+
+    public override string Name => "simplify";
+
+    public override string Summary => "Simplify a mesh to fewer faces.";
+
+    public override string Example => "simplify models/creature.obj small.obj --ratio 0.1 --method qem-accurate";
+
+    public override void Configure(Command command)
+    {
+        method.AcceptOnlyFromAmong("qem", "qem-accurate", "qem-textbook", "clustering", "shortest-edge", "smallest-triangle", "lowest-curvature");
+        boundary.AcceptOnlyFromAmong("free", "weighted", "locked");
+        command.Arguments.Add(input);
+        command.Arguments.Add(output);
+        foreach (Option option in (Option[])[method, faces, ratio, maxError, cellSize, cells, boundary, allowFlips, featureAngle, keepTopology, quadric, trace, record])
+            command.Options.Add(option);
+    }
+
+    public override void Run(VerbContext context)
+    {
+        string way = context.Get(method);
+        CheckOptions(context, way);
+        Mesh mesh = context.ReadMesh(context.Get(input));
+        switch (way)
+        {
+            case "clustering":
+                mesh = Cluster(context, mesh);
+                break;
+            case "qem" or "qem-accurate" or "qem-textbook":
+                Report(context, Contract(context, mesh, way));
+                break;
+            default:
+                DeletionOptions deletion = Deletion(context, mesh, way);
+                Report(context, context.Time(() => mesh.DeleteElements(deletion, context.Progress("simplifying"), context.CancellationToken)));
+                break;
+        }
+        context.WriteMesh(mesh, context.Get(output));
+    }
+
+    private void CheckOptions(VerbContext context, string way)
+    {
+        bool isQem = way.StartsWith("qem", StringComparison.Ordinal), isClustering = way == "clustering";
+        if (isClustering != (context.Has(cellSize) || context.Has(cells)))
+            throw new UsageException(isClustering ? "--method clustering needs --cell-size or --cells" : $"--cell-size and --cells go with --method clustering, not {way}");
+        if (!isClustering && !context.Has(faces) && !context.Has(ratio) && !(isQem && context.Has(maxError)))
+            throw new UsageException(isQem ? "one of --faces, --ratio, --max-error is needed" : "one of --faces, --ratio is needed");
+        if (context.Has(faces) && context.Get(faces) <= 0)
+            throw new UsageException($"--faces {context.Get(faces)}: not positive");
+        if (context.Has(ratio) && !(context.Get(ratio) > 0 && context.Get(ratio) <= 1))
+            throw new UsageException($"--ratio {context.Get(ratio)}: not in (0, 1]");
+        if (context.Has(maxError) && !(context.Get(maxError) >= 0 && double.IsFinite(context.Get(maxError))))
+            throw new UsageException($"--max-error {context.Get(maxError)}: not a number from 0");
+        if (context.Has(cellSize) && !(context.Get(cellSize) > 0 && double.IsFinite(context.Get(cellSize))))
+            throw new UsageException($"--cell-size {context.Get(cellSize)}: not a positive number");
+        if (context.Has(cells) && context.Get(cells) <= 0)
+            throw new UsageException($"--cells {context.Get(cells)}: not positive");
+        if (context.Has(featureAngle) && !(context.Get(featureAngle) > 0 && context.Get(featureAngle) <= 180))
+            throw new UsageException($"--feature-angle {context.Get(featureAngle)}: not in (0, 180]");
+        foreach (Option option in (Option[])[maxError, featureAngle, trace, record])
+        {
+            if (!isQem && context.Has(option))
+                throw new UsageException($"{option.Name} goes with the qem methods, not {way}");
+        }
+        if (way == "qem-textbook" && context.Has(record))
+            throw new UsageException("--record goes with --method qem or qem-accurate");
+    }
+
+    private SimplificationResult Contract(VerbContext context, Mesh mesh, string way)
+    {
+        using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
+        var options = new QuadricOptions
+        {
+            Mode = way switch { "qem-accurate" => QuadricMode.Accurate, "qem-textbook" => QuadricMode.Textbook, _ => QuadricMode.Fast },
+            TargetFaces = context.Has(faces) ? context.Get(faces) : null,
+            TargetRatio = context.Has(ratio) ? context.Get(ratio) : null,
+            MaxError = context.Has(maxError) ? context.Get(maxError) : null,
+            Boundary = Enum.Parse<BoundaryTreatment>(context.Get(boundary), ignoreCase: true),
+            AllowFlips = context.Get(allowFlips),
+            FeatureAngle = context.Has(featureAngle) ? double.DegreesToRadians(context.Get(featureAngle)) : null,
+        };
+        CheckCount(context, mesh);
+        if (context.Has(record))
+            ProgressiveMesh.Create(mesh, options, cancellationToken: context.CancellationToken).Save(context.Get(record));
+        options = options with { Trace = lines };
+        return context.Time(() => mesh.Simplify(options, context.Progress("simplifying"), context.CancellationToken));
+    }
+
+    private DeletionOptions Deletion(VerbContext context, Mesh mesh, string way)
+    {
+        CheckCount(context, mesh);
+        return new DeletionOptions
+        {
+            Measure = way switch
+            {
+                "shortest-edge" => DeletionMeasure.ShortestEdge,
+                "smallest-triangle" => DeletionMeasure.SmallestTriangle,
+                _ => DeletionMeasure.LowestCurvature,
+            },
+            TargetFaces = context.Has(faces) ? context.Get(faces) : Math.Max(1, (int)(mesh.Faces.Count * context.Get(ratio))),
+            AllowFlips = context.Get(allowFlips),
+            LockBoundary = context.Get(boundary) == "locked",
+        };
+    }
+
+    private Mesh Cluster(VerbContext context, Mesh mesh)
+    {
+        var options = new ClusteringOptions
+        {
+            CellSize = context.Has(cellSize) ? context.Get(cellSize) : null,
+            Cells = context.Has(cells) ? context.Get(cells) : null,
+            Representative = context.Get(quadric) ? CellRepresentative.QuadricOptimum : CellRepresentative.Mean,
+            NonManifold = context.NonManifold == NonManifoldPolicy.Throw ? NonManifoldPolicy.Skip : context.NonManifold,
+        };
+        if (context.Get(keepTopology))
+        {
+            Report(context, context.Time(() => mesh.CollapseCells(options, context.Progress("clustering"), context.CancellationToken)));
+            return mesh;
+        }
+        ClusteringResult result = context.Time(() => mesh.ClusterVertices(options, context.CancellationToken));
+        context.Result.Add("stopReason", "cells").Add("cells", result.Cells).Add("collapsedFaces", result.CollapsedFaces)
+            .Add("duplicateFaces", result.DuplicateFaces).Add("skippedFaces", result.Report.Repairs.Count);
+        return result.Mesh;
+    }
+
+    private void CheckCount(VerbContext context, Mesh mesh)
+    {
+        if (context.Has(faces) && context.Get(faces) > mesh.Faces.Count)
+            throw new UsageException($"--faces {context.Get(faces)}: the mesh has {mesh.Faces.Count}");
+    }
+
+    private static void Report(VerbContext context, SimplificationResult result) => context.Result
+        .Add("stopReason", result.StopReason switch
+        {
+            StopReason.TargetReached => "target-reached",
+            StopReason.MaxErrorReached => "max-error-reached",
+            _ => "nothing-collapsible",
+        })
+        .Add("maxError", result.MaxError)
+        .Add("collapses", result.Collapses)
+        .Add("refused", result.Refusals.Total);
+}
