@@ -93,6 +93,9 @@ public sealed partial class FaceTree
         return FindClosestTriangle(query, distance * distance, firstHit: true, out _) >= 0;
     }
 
+    /// <summary>A triangle within the distance, the first one found, or −1.</summary>
+    internal int FindTriangleWithin(Vector3D query, double distance) => FindClosestTriangle(query, distance * distance, firstHit: true, out _);
+
     private static void ThrowIfNotFinite(Vector3D query)
     {
         if (!query.IsFinite)

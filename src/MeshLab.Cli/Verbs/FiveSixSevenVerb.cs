@@ -1,0 +1,64 @@
+using System.CommandLine;
+using System.Globalization;
+using MeshLab.Cli.Hosting;
+using MeshLab.FiveSixSeven;
+using MeshLab.Geometry;
+using MeshLab.Simplification;
+using MeshLab.Structure;
+
+namespace MeshLab.Cli.Verbs;
+
+internal sealed class FiveSixSevenVerb : Verb
+{
+    private readonly Argument<string> input = InputArgument();
+    private readonly Argument<string> output = OutputArgument();
+    private readonly Option<int> faces = new("--faces") { Description = "The number of faces asked for (the input's by default)." };
+    private readonly Option<double> featureAngle = new("--feature-angle") { Description = "Keep edges with a sharper dihedral angle than this (degrees).", DefaultValueFactory = _ => 40 };
+    private readonly Option<bool> textbook = new("--textbook") { Description = "The book's engine, step by step." };
+
+    public override string Name => "five-six-seven";
+
+    public override string Summary => "Give every inner vertex valence 5, 6 or 7 on the same surface.";
+
+    public override string Example => "five-six-seven models/creature.obj creature-567.obj --faces 20000";
+
+    public override void Configure(Command command)
+    {
+        command.Arguments.Add(input);
+        command.Arguments.Add(output);
+        foreach (Option option in (Option[])[faces, featureAngle, textbook])
+            command.Options.Add(option);
+    }
+
+    public override void Run(VerbContext context)
+    {
+        Mesh mesh = context.ReadMesh(context.Get(input));
+        var options = new FiveSixSevenOptions
+        {
+            TargetFaces = context.Has(faces) ? context.Get(faces) : null,
+            FeatureAngle = context.Get(featureAngle) * Math.PI / 180,
+            Engine = context.Get(textbook) ? FiveSixSevenEngine.Textbook : FiveSixSevenEngine.Repair,
+        };
+        FiveSixSevenResult result = context.Time(() => mesh.ToFiveSixSeven(options, context.Progress("5-6-7"), context.CancellationToken));
+        context.WriteMesh(result.Mesh, context.Get(output));
+        MeshDistanceReport distance = MeshDistance.Measure(mesh, result.Mesh, new MeshDistanceOptions { Seed = context.Seed });
+
+        context.Result
+            .Add("valence", new ResultFields().Add("5", Count(result, 5)).Add("6", Count(result, 6)).Add("7", Count(result, 7)))
+            .Add("complete", result.IsComplete)
+            .Add("faces", result.Mesh.Faces.Count)
+            .Add("hausdorff", distance.Hausdorff)
+            .Add("rms", distance.Rms)
+            .Add("diagonal", distance.Diagonal)
+            .Add("meanQuality", result.Mesh.Faces.Count == 0 ? 0 : result.Mesh.ComputeFaceQualities().Average())
+            .Add("operations", new ResultFields().Add("walks", result.Walks).Add("level", result.Level).Add("lastResort", result.UsedLastResort));
+        context.Table(
+            "Inner valences",
+            ["valence", "before", "after"],
+            [.. result.Before.Keys.Union(result.After.Keys).Order().Select(v => new[] { Text(v), Text(result.Before.GetValueOrDefault(v)), Text(result.After.GetValueOrDefault(v)) })]);
+    }
+
+    private static int Count(FiveSixSevenResult result, int valence) => result.After.GetValueOrDefault(valence);
+
+    private static string Text(int value) => value.ToString(CultureInfo.InvariantCulture);
+}
