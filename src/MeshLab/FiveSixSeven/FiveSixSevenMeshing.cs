@@ -30,7 +30,7 @@ public static class FiveSixSevenMeshing
         {
             ArgumentNullException.ThrowIfNull(mesh);
             if (!mesh.IsTriangleMesh)
-                throw new ArgumentException("A 5-6-7 mesh is made of triangles; cut the polygons first.", nameof(mesh));
+                throw new ArgumentException("A 5-6-7 mesh is made of triangles; cut the polygons first.");
             options ??= new();
             IReadOnlyDictionary<int, int> before = InnerValences(mesh);
             if (mesh.Faces.Count == 0)

@@ -94,7 +94,7 @@ internal sealed partial class WorkMesh
         Positions[v] = position;
     }
 
-    private void SetQuadric(int v, in Quadric quadric)
+    private void SetQuadric(int v, Quadric quadric)
     {
         if (IsRecording)
             quadricChanges.Add((v, Quadrics[v]));
