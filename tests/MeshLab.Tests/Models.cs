@@ -26,7 +26,7 @@ public static class Models
         ["holes"] = (GridWithHoles, Sort.Triangles),
         ["isolated-vertices"] = (TetrahedronAndPoints, Sort.Triangles | Sort.Closed),
         ["mixed-polygons"] = (MixedPolygons, Sort.None),
-        ["open-fan"] = (() => MeshBuilder.FromFaces(5, [0, 1, 2], [0, 2, 3], [0, 3, 4]), Sort.Triangles),
+        ["open-fan"] = (() => MeshBuilder.FromTriangles([new(0, 0, 0), new(2, 0, 0), new(2, 2, 0), new(0, 2, 1), new(-2, 1, 0)], [0, 1, 2, 0, 2, 3, 0, 3, 4]), Sort.Triangles),
         ["one-triangle"] = (() => MeshBuilder.FromTriangles([new(0, 0, 0), new(1, 0, 0), new(0, 1, 0)], [0, 1, 2]), Sort.Triangles),
         ["octahedron"] = (() => Bipyramid(4), Sort.Triangles | Sort.Closed),
         ["prism-6"] = (() => Prism(6), Sort.Closed),

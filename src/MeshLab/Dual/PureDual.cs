@@ -54,7 +54,7 @@ internal static class PureDual
     {
         int[] face = mesh.face, next = mesh.next, halfEdgeOf = mesh.halfEdgeOf;
         var seen = new int[mesh.FaceSlots];
-        for (int f = 0; f < halfEdgeOf.Length; f++)
+        for (int f = 0; f < mesh.FaceSlots; f++)
         {
             int first = halfEdgeOf[f], h = first;
             do
