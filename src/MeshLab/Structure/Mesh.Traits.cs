@@ -136,6 +136,22 @@ public sealed partial class Mesh
             traits[i].Mix(to, first, second, t);
     }
 
+    /// <summary>Gives this mesh, which has no traits of the kind yet, those of a mesh that it was made from.</summary>
+    /// <inheritdoc cref="Trait.Derive"/>
+    internal void DeriveTraits(Mesh source, ElementKind kind, int[] first, int[]? second = null, double[]? t = null)
+    {
+        foreach (Trait theirs in source.TraitsOf(kind))
+        {
+            Trait mine = theirs.CloneFor(this);
+            mine.Derive(theirs, first, second, t);
+            TraitsOf(kind).Add(mine);
+        }
+        if (kind != ElementKind.Face)
+            return;
+        foreach (FaceLabels labels in source.faceLabels)
+            faceLabels.Add(new FaceLabels(labels.Sort, (FaceTrait<int>)Find(faceTraits, labels.Labels.Name)!, labels.Names));
+    }
+
     internal int SlotsOf(ElementKind kind) => kind switch
     {
         ElementKind.Vertex => vertexSlots,

@@ -49,6 +49,13 @@ public abstract class Trait
 
     internal abstract void AppendFrom(Trait other, int offset);
 
+    /// <summary>Takes values derived from another mesh's trait of the same type: per element a source, or the blend of two.</summary>
+    /// <param name="source">The trait that the values come from.</param>
+    /// <param name="first">Per element here, an element there; −1 for the default value.</param>
+    /// <param name="second">Per element here, the second element of a blend; −1 for none. <see langword="null"/> if nothing is blended.</param>
+    /// <param name="t">Where between the two.</param>
+    internal abstract void Derive(Trait source, int[] first, int[]? second, double[]? t);
+
     internal abstract void AddTo(ref StateHasher hash);
 
     /// <summary>Copies one element's value to another.</summary>
@@ -140,6 +147,20 @@ public abstract class Trait<T> : Trait
     {
         if (other is Trait<T> same)
             same.Values.CopyTo(values.AsSpan(offset));
+    }
+
+    internal override void Derive(Trait source, int[] first, int[]? second, double[]? t)
+    {
+        Span<T> theirs = ((Trait<T>)source).Values;
+        var derived = new T[first.Length];
+        for (int i = 0; i < derived.Length; i++)
+        {
+            derived[i] = first[i] < 0 ? DefaultValue
+                : second is null || second[i] < 0 ? theirs[first[i]]
+                : Blend(theirs[first[i]], theirs[second[i]], t![i]);
+        }
+        values = derived;
+        count = derived.Length;
     }
 
     internal override void Copy(int from, int to) => Set(to, values[from]);

@@ -1,0 +1,50 @@
+using System.CommandLine;
+using System.Globalization;
+using MeshLab.Cli.Hosting;
+using MeshLab.Cutting;
+using MeshLab.Geometry;
+using MeshLab.Structure;
+
+namespace MeshLab.Cli.Verbs;
+
+internal sealed class SplitVerb : Verb
+{
+    private readonly Argument<string> input = InputArgument();
+    private readonly Argument<string> directory = new("DIR") { Description = "The folder for the parts, made if it is not there." };
+    private readonly Option<string> by = new("--by") { Description = "components, or regions between sharp edges.", DefaultValueFactory = _ => "components" };
+    private readonly Option<double> angle = new("--angle") { Description = "Regions: edges with a larger dihedral angle are sharp (degrees).", DefaultValueFactory = _ => 30 };
+
+    public override string Name => "split";
+
+    public override string Summary => "Write every component, or every region between sharp edges, as a mesh of its own.";
+
+    public override string Example => "split models/chain.ply chain-parts --by components";
+
+    public override void Configure(Command command)
+    {
+        by.AcceptOnlyFromAmong("components", "regions");
+        command.Arguments.Add(input);
+        command.Arguments.Add(directory);
+        command.Options.Add(by);
+        command.Options.Add(angle);
+    }
+
+    public override void Run(VerbContext context)
+    {
+        double degrees = context.Get(angle);
+        if (!(degrees >= 0 && degrees <= 180))
+            throw new UsageException("--angle must be between 0 and 180");
+        Mesh mesh = context.ReadMesh(context.Get(input));
+        IReadOnlyList<MeshPart> parts = context.Time(() => context.Get(by) == "regions" ? mesh.SplitRegions(degrees * Math.PI / 180) : mesh.SplitComponents());
+        Directory.CreateDirectory(context.Get(directory));
+        string extension = context.OutputFormat is { } format ? "." + format : ".obj";
+        var listed = new List<ResultFields>();
+        for (int i = 0; i < parts.Count; i++)
+        {
+            string file = Path.Combine(context.Get(directory), string.Create(CultureInfo.InvariantCulture, $"part-{i}{extension}"));
+            context.WriteMesh(parts[i].Mesh, file);
+            listed.Add(new ResultFields().Add("file", file).Add("vertices", parts[i].Mesh.Vertices.Count).Add("faces", parts[i].Mesh.Faces.Count).Add("area", parts[i].Mesh.Area));
+        }
+        context.Result.Add("parts", listed);
+    }
+}
