@@ -82,6 +82,7 @@ public static class ButterflySubdivision
         return table;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static unsafe void PlaceEdges(Mesh mesh, Vector3D[] result, int[] valences, double[][] table, int from, int to)
     {
         int vertices = mesh.VertexSlots;

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 using MeshLab.Structure;
 
@@ -62,6 +63,7 @@ public static class LoopSubdivision
         return finer;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static unsafe void PlaceEdges(Mesh mesh, Vector3D[] result, int from, int to)
     {
         int vertices = mesh.VertexSlots;
@@ -79,6 +81,7 @@ public static class LoopSubdivision
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static unsafe void PlaceVertices(Mesh mesh, Vector3D[] result, double[] table, LoopWeights weights, int from, int to)
     {
         fixed (int* next = mesh.next, previous = mesh.previous, target = mesh.target, face = mesh.face, outgoing = mesh.outgoing)

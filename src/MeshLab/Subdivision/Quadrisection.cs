@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 using MeshLab.Structure;
 
@@ -46,6 +47,7 @@ internal static class Quadrisection
         return finer;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static unsafe void LinkFaces(Mesh mesh, Mesh finer, int from, int to)
     {
         int firstMiddle = mesh.VertexSlots, firstInner = 4 * mesh.EdgeSlots;

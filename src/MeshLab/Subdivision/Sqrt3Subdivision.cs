@@ -102,6 +102,7 @@ public static class Sqrt3Subdivision
     }
 
     /// <summary>The vertex in the middle of each face; and the number, in its face, of each half-edge.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static unsafe void PlaceMiddles(Mesh mesh, Mesh finer, byte[] sides, int from, int to)
     {
         int vertices = mesh.VertexSlots, edges = mesh.EdgeSlots;
@@ -121,6 +122,7 @@ public static class Sqrt3Subdivision
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static unsafe void LinkFaces(Mesh mesh, Mesh finer, byte[] sides, int from, int to)
     {
         int vertices = mesh.VertexSlots, edges = mesh.EdgeSlots;
@@ -158,6 +160,7 @@ public static class Sqrt3Subdivision
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static unsafe void PlaceVertices(Mesh mesh, Mesh finer, byte[] side, int from, int to)
     {
         int edges = mesh.EdgeSlots;
