@@ -43,10 +43,23 @@ public static class FaceNormals
         {
             ArgumentNullException.ThrowIfNull(mesh);
             var normals = new Vector3D[mesh.FaceSlots];
+            zeroAreaFaces = mesh.ComputeFaceNormals(normals);
+            return normals;
+        }
+
+        /// <summary>Writes the unit normal of every face into an array that is there already: for callers that do it again and again.</summary>
+        /// <param name="normals">One entry per face slot; those of deleted faces are left alone.</param>
+        /// <returns>How many live faces have zero area.</returns>
+        /// <exception cref="ArgumentException">The array has another length.</exception>
+        public int ComputeFaceNormals(Vector3D[] normals)
+        {
+            ArgumentNullException.ThrowIfNull(mesh);
+            ArgumentNullException.ThrowIfNull(normals);
+            if (normals.Length != mesh.FaceSlots)
+                throw new ArgumentException($"There is room for {normals.Length} normals; the mesh has {mesh.FaceSlots} face slots.", nameof(normals));
             int degenerate = 0;
             Parallelism.ForBlocks(normals.Length, (from, to) => Interlocked.Add(ref degenerate, Block(mesh, normals, from, to)));
-            zeroAreaFaces = degenerate;
-            return normals;
+            return degenerate;
         }
 
         /// <summary>The mean of the corners per face slot; NaN for deleted faces. O(H), in parallel.</summary>

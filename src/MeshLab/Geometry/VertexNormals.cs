@@ -83,12 +83,33 @@ public static class VertexNormals
         }
     }
 
-    /// <summary>The sums of the unit normals of the faces around.</summary>
     private static Vector3D[] MeansOfFaces(Mesh mesh, Vector3D[] faceNormals)
     {
         var normals = new Vector3D[mesh.VertexSlots];
-        Parallelism.ForBlocks(normals.Length, (from, to) => Block(mesh, faceNormals, normals, from, to));
+        MeansOfFaces(mesh, faceNormals, normals);
         return normals;
+    }
+
+    extension(Mesh mesh)
+    {
+        /// <summary>Brings equally weighted normals up to date in arrays that are there already: nothing is allocated but the loop itself.</summary>
+        /// <param name="faces">One entry per face slot.</param>
+        /// <param name="vertices">One entry per vertex slot; those of unused vertices are left alone.</param>
+        /// <exception cref="ArgumentException">An array has another length.</exception>
+        public void UpdateNormals(Vector3D[] faces, Vector3D[] vertices)
+        {
+            mesh.ComputeFaceNormals(faces);
+            ArgumentNullException.ThrowIfNull(vertices);
+            if (vertices.Length != mesh.VertexSlots)
+                throw new ArgumentException($"There is room for {vertices.Length} normals; the mesh has {mesh.VertexSlots} vertex slots.", nameof(vertices));
+            MeansOfFaces(mesh, faces, vertices);
+        }
+    }
+
+    /// <summary>The sums of the unit normals of the faces around.</summary>
+    private static void MeansOfFaces(Mesh mesh, Vector3D[] faceNormals, Vector3D[] normals)
+    {
+        Parallelism.ForBlocks(normals.Length, (from, to) => Block(mesh, faceNormals, normals, from, to));
 
         // Arrays in locals: those of a closure would be read again at every step.
         static void Block(Mesh mesh, Vector3D[] faceNormals, Vector3D[] normals, int from, int to)

@@ -11,11 +11,14 @@ internal static class GeometryOps
     [PeerOp("normals-lib")]
     public static void Normals(PeerRun run)
     {
-        Vector3D[] normals = [];
         run.MeasureRounds(
-            run.Model.NewMesh,
-            mesh => normals = mesh.ComputeNormals(VertexNormalWeight.Uniform).Vertices,
-            (_, result) => result.Add("abs_normal_sum", normals.Sum(n => Math.Abs(n.X) + Math.Abs(n.Y) + Math.Abs(n.Z))));
+            () =>
+            {
+                Mesh mesh = run.Model.NewMesh();
+                return (Mesh: mesh, Faces: new Vector3D[mesh.FaceSlots], Vertices: new Vector3D[mesh.VertexSlots]);
+            },
+            state => state.Mesh.UpdateNormals(state.Faces, state.Vertices),
+            (state, result) => result.Add("abs_normal_sum", state.Vertices.Sum(n => Math.Abs(n.X) + Math.Abs(n.Y) + Math.Abs(n.Z))));
     }
 
     [PeerOp("curvature-gauss-mean")]
