@@ -1,3 +1,4 @@
+using MeshLab.IO;
 using System.Numerics;
 using MeshLab.Numerics;
 
@@ -115,7 +116,7 @@ public sealed class Image
         ArgumentException.ThrowIfNullOrEmpty(path);
         byte[] png = ToPng();
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!);
-        File.WriteAllBytes(path, png);
+        AtomicFile.Write(path, stream => stream.Write(png));
     }
 
     /// <summary>Lays a colour over a pixel, mixing light, not stored values.</summary>

@@ -142,7 +142,7 @@ internal sealed class RenderGeometry
     internal static void AddFace(ReadOnlySpan<Vector3D> positions, ReadOnlySpan<int> face, int index, List<int> triangles, List<int> faceOf)
     {
         int before = triangles.Count;
-        PolygonTriangulation.Add(positions, face, triangles);
+        PolygonTriangulation.Triangulate(positions, face, triangles);
         for (int t = before; t < triangles.Count; t += 3)
             faceOf.Add(index);
     }

@@ -1,4 +1,5 @@
 using System.Text;
+using MeshLab.IO;
 
 namespace MeshLab.Visualization;
 
@@ -10,6 +11,7 @@ internal static class TextFile
     {
         ArgumentException.ThrowIfNullOrEmpty(path);
         Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!);
-        File.WriteAllText(path, text, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false));
+        byte[] bytes = Encoding.UTF8.GetBytes(text);
+        AtomicFile.Write(path, stream => stream.Write(bytes));
     }
 }

@@ -24,7 +24,7 @@ internal static class MeshFiles
         Mesh mesh;
         if (path == "-")
         {
-            using Stream input = Console.OpenStandardInput();
+            using Stream input = context.Streams.OpenInput();
             mesh = MeshFile.Read(input, options.Format!.Value, out report, options, "-", progress, context.CancellationToken);
         }
         else
@@ -32,13 +32,7 @@ internal static class MeshFiles
             mesh = MeshFile.Read(path, out report, options, progress, context.CancellationToken);
         }
         progress?.Report(1);
-        foreach (Repair repair in report.Build?.Repairs ?? [])
-        {
-            context.Repairs.Add(new ResultFields()
-                .Add("kind", repair.Kind == RepairKind.SkippedFace ? "skipped-face" : "split-vertex")
-                .Add("element", repair.Element)
-                .Add("message", repair.Message));
-        }
+        context.AddRepairs(report.Build);
         return mesh;
     }
 
@@ -51,7 +45,7 @@ internal static class MeshFiles
         };
         if (path == "-")
         {
-            using Stream output = Console.OpenStandardOutput();
+            using Stream output = context.Streams.OpenOutput();
             MeshFile.Write(mesh, output, options.Format!.Value, options, null, context.CancellationToken);
             context.OutputTaken = true;
             return;

@@ -19,12 +19,15 @@ internal static class MlabApp
             .OrderBy(verb => verb.Name, StringComparer.Ordinal),
     ];
 
-    public static int Run(string[] args, TextWriter output, TextWriter error, CancellationToken cancellationToken = default)
+    public static int Run(string[] args, TextWriter output, TextWriter error, CancellationToken cancellationToken = default) =>
+        Run(args, output, error, StandardStreams.OfConsole, cancellationToken);
+
+    public static int Run(string[] args, TextWriter output, TextWriter error, StandardStreams streams, CancellationToken cancellationToken = default)
     {
         // Numbers in options are read the same everywhere.
         CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;
         int status = 0;
-        RootCommand root = BuildRoot((verb, parsed) => status = RunVerb(verb, parsed, output, error, cancellationToken));
+        RootCommand root = BuildRoot((verb, parsed) => status = RunVerb(verb, parsed, output, error, streams, cancellationToken));
         ParseResult parsed = root.Parse(args);
         if (parsed.Action is ParseErrorAction)
             return Report(CliErrorOf(parsed, args), args.Contains("--json"), null, false, output, error);
@@ -49,9 +52,9 @@ internal static class MlabApp
         return root;
     }
 
-    private static int RunVerb(Verb verb, ParseResult parsed, TextWriter output, TextWriter error, CancellationToken cancellationToken)
+    private static int RunVerb(Verb verb, ParseResult parsed, TextWriter output, TextWriter error, StandardStreams streams, CancellationToken cancellationToken)
     {
-        var context = new VerbContext(parsed, output, error, cancellationToken);
+        var context = new VerbContext(parsed, output, error, streams, cancellationToken);
         try
         {
             int threads = context.Get(CommonOptions.Threads);

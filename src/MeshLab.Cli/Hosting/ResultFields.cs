@@ -1,6 +1,7 @@
 using System.Collections;
 using System.Globalization;
 using System.Text.Json;
+using MeshLab.IO;
 using MeshLab.Numerics;
 
 namespace MeshLab.Cli.Hosting;
@@ -99,9 +100,12 @@ internal sealed class ResultFields : IEnumerable<KeyValuePair<string, object?>>
     /// <summary>Shortest decimals that read back as the same number; what JSON has no numbers for becomes text.</summary>
     private static void Write(Utf8JsonWriter json, double number)
     {
-        if (double.IsFinite(number))
-            json.WriteNumberValue(number);
-        else
+        if (!double.IsFinite(number))
+        {
             json.WriteStringValue(number.ToString(CultureInfo.InvariantCulture));
+            return;
+        }
+        Span<byte> text = stackalloc byte[32];
+        json.WriteRawValue(text[..ShortestDecimal.Format(number, text)], skipInputValidation: true);
     }
 }

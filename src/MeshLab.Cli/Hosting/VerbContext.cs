@@ -7,7 +7,7 @@ using Spectre.Console.Rendering;
 namespace MeshLab.Cli.Hosting;
 
 /// <summary>What a verb works with: its options, the meshes it reads and writes, and the result that it fills.</summary>
-internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWriter error, CancellationToken cancellationToken)
+internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWriter error, StandardStreams streams, CancellationToken cancellationToken)
 {
     private readonly Stopwatch stopwatch = new();
     private readonly List<IRenderable> tables = [];
@@ -41,6 +41,9 @@ internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWri
 
     /// <summary>Standard output, for verbs that print a mesh or a script there.</summary>
     public TextWriter StandardOutput => output;
+
+    /// <summary>Where meshes named <c>-</c> come from and go to.</summary>
+    public StandardStreams Streams => streams;
 
     /// <summary>True once standard output holds the result itself (a mesh, a script), so that nothing else may be printed there.</summary>
     public bool OutputTaken { get; set; }
@@ -82,6 +85,18 @@ internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWri
 
     /// <summary>Names the input of a verb that reads no mesh.</summary>
     public void SetInput(ResultFields counts) => Input = counts;
+
+    /// <summary>Lists what the builder skipped or split.</summary>
+    public void AddRepairs(BuildReport? report)
+    {
+        foreach (Repair repair in report?.Repairs ?? [])
+        {
+            Repairs.Add(new ResultFields()
+                .Add("kind", repair.Kind == RepairKind.SkippedFace ? "skipped-face" : "split-vertex")
+                .Add("element", repair.Element)
+                .Add("message", repair.Message));
+        }
+    }
 
     /// <summary>Runs the algorithm on the clock; reading and writing stay outside.</summary>
     public T Time<T>(Func<T> work)

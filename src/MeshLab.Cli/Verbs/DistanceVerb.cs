@@ -17,7 +17,7 @@ internal sealed class DistanceVerb : Verb
 
     public override string Summary => "Measure the distance between two surfaces, both ways.";
 
-    public override string Example => "distance models/creature.obj models/creature-simplified.obj";
+    public override string Example => "distance models/torus.off models/torus-triangles.obj";
 
     public override void Configure(Command command)
     {

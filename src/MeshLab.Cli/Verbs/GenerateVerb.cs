@@ -63,8 +63,7 @@ internal sealed class GenerateVerb : Verb
         ShapeArguments arguments = shape.Complete(Given(context));
         BuildReport report = null!;
         Mesh mesh = context.Time(() => shape.Create(arguments, context.NonManifold, out report));
-        foreach (Repair repair in report.Repairs)
-            context.Repairs.Add(new ResultFields().Add("kind", repair.Kind).Add("element", repair.Element).Add("message", repair.Message));
+        context.AddRepairs(report);
         var values = new ResultFields();
         foreach (ShapeParameter parameter in shape.Parameters)
             values.Add(parameter.Name, arguments.Values[parameter.Name]);

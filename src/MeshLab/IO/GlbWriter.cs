@@ -19,7 +19,7 @@ internal static class GlbWriter
     public static void Write(MeshData data, BlockWriter writer)
     {
         FloatRange.Check(data.Positions);
-        (int[] corners, _) = PolygonTriangulation.Triangulate(data);
+        (int[] corners, _) = FaceTriangles.Of(data);
         Vector3D[] normals = data.VertexNormals ?? AreaWeightedNormals(data, corners);
         byte[] json = Json(data, corners.Length);
         int binaryLength = BinaryLength(data, corners.Length);

@@ -9,7 +9,7 @@ internal static class StlWriter
 
     public static void Write(MeshData data, BlockWriter writer, MeshEncoding encoding)
     {
-        (int[] corners, int[] faces) = PolygonTriangulation.Triangulate(data);
+        (int[] corners, int[] faces) = FaceTriangles.Of(data);
         if (encoding == MeshEncoding.Text)
             WriteText(data, corners, faces, writer);
         else

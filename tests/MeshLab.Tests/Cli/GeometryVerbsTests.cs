@@ -1,5 +1,4 @@
 using System.Text.Json;
-using MeshLab.Cli.Hosting;
 using MeshLab.Cli.Values;
 using MeshLab.IO;
 using MeshLab.Structure;
@@ -141,13 +140,5 @@ public sealed class GeometryVerbsTests : IDisposable
         return path;
     }
 
-    private static JsonElement Run(int status, params string[] args)
-    {
-        using var output = new StringWriter();
-        using var error = new StringWriter();
-        int actual = MlabApp.Run([.. args, "--json"], output, error);
-        Assert.True(status == actual, $"{string.Join(' ', args)}: exit status {actual}. {error}");
-        using JsonDocument document = JsonDocument.Parse(output.ToString());
-        return document.RootElement.Clone();
-    }
+    private static JsonElement Run(int status, params string[] args) => CliCall.Json(status, args);
 }

@@ -1,5 +1,4 @@
 using System.Text.Json;
-using MeshLab.Cli.Hosting;
 using MeshLab.IO;
 using MeshLab.Numerics;
 using MeshLab.Structure;
@@ -37,9 +36,9 @@ public sealed class SolverVerbsTests : IDisposable
     public void Smooth_BadArguments_IsWrongUsage()
     {
         string input = Save("bumpy-sphere"), output = Path.Combine(folder, "smooth.obj");
-        Assert.Equal(2, Call("smooth", input, output, "--steps", "-1").Status);
-        Assert.Equal(2, Call("smooth", input, output, "--method", "magic").Status);
-        Assert.Equal(2, Call("smooth", input, output, "--time", "0").Status);
+        Assert.Equal(2, CliCall.Run("smooth", input, output, "--steps", "-1").Status);
+        Assert.Equal(2, CliCall.Run("smooth", input, output, "--method", "magic").Status);
+        Assert.Equal(2, CliCall.Run("smooth", input, output, "--time", "0").Status);
         Assert.False(File.Exists(output));
     }
 
@@ -57,7 +56,7 @@ public sealed class SolverVerbsTests : IDisposable
         Assert.Equal(100, given[31]);
         Assert.Equal(55, given[32], 1e-12);
         Assert.Equal(double.NaN, given[0]);
-        Assert.Equal(2, Call("values", input, "--of", "harmonic", "--fixed", "9999=1").Status);
+        Assert.Equal(2, CliCall.Run("values", input, "--of", "harmonic", "--fixed", "9999=1").Status);
     }
 
     [Fact]
@@ -77,19 +76,5 @@ public sealed class SolverVerbsTests : IDisposable
         return path;
     }
 
-    private static JsonElement Run(int status, params string[] args)
-    {
-        (int actual, string output, string error) = Call(args);
-        Assert.True(status == actual, $"{string.Join(' ', args)}: exit status {actual}. {error}");
-        using JsonDocument document = JsonDocument.Parse(output);
-        return document.RootElement.Clone();
-    }
-
-    private static (int Status, string Output, string Error) Call(params string[] args)
-    {
-        using var output = new StringWriter();
-        using var error = new StringWriter();
-        int status = MlabApp.Run([.. args, "--json"], output, error);
-        return (status, output.ToString(), error.ToString());
-    }
+    private static JsonElement Run(int status, params string[] args) => CliCall.Json(status, args);
 }

@@ -61,8 +61,4 @@ public class TriangulationTests
         Mesh mesh = MeshBuilder.FromPolygons([new(0, 0, 0), new(1, 0, 0), new(2, 0, 0), new(3, 0, 0)], [0, 1, 2, 3]);
         Assert.Equal(2, Triangulation.Triangulate(mesh).Mesh.Faces.Count);
     }
-
-    [Fact]
-    public void TriangulatePolygon_TwoCorners_Throws() =>
-        Assert.Throws<ArgumentException>(() => Triangulation.TriangulatePolygon([default, default], [0, 1], new List<int>()));
 }

@@ -1,10 +1,9 @@
 using MeshLab.Numerics;
-using MeshLab.Visualization;
 using Xunit;
 
-namespace MeshLab.Tests.Visualization;
+namespace MeshLab.Tests.Numerics;
 
-[Trait("Section", "pictures")]
+[Trait("Section", "10.1")]
 public class PolygonTriangulationTests
 {
     [Theory]
@@ -12,14 +11,14 @@ public class PolygonTriangulationTests
     [InlineData("ell", new double[] { 0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2 })]
     [InlineData("arrow", new double[] { 0, 0, 2, 1, 0, 2, 0.5, 1 })]
     [InlineData("comb", new double[] { 0, 0, 5, 0, 5, 3, 4, 3, 4, 1, 3, 1, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3 })]
-    public void Add_SimplePolygon_TrianglesFillItInItsOrientation(string name, double[] coordinates)
+    public void Triangulate_SimplePolygon_TrianglesFillItInItsOrientation(string name, double[] coordinates)
     {
         int n = coordinates.Length / 2;
         foreach (Func<double, double, Vector3D> place in (Func<double, double, Vector3D>[])[(x, y) => new(x, y, 7), (x, y) => new(3, x, y), (x, y) => new(y, 1, x), (x, y) => new(y, x, x + y)])
         {
             Vector3D[] points = [.. Enumerable.Range(0, n).Select(i => place(coordinates[2 * i], coordinates[2 * i + 1]))];
             var triangles = new List<int>();
-            PolygonTriangulation.Add(points, Enumerable.Range(0, n).ToArray(), triangles);
+            PolygonTriangulation.Triangulate(points, Enumerable.Range(0, n).ToArray(), triangles);
 
             Assert.Equal(3 * (n - 2), triangles.Count);
             Vector3D area = default;
@@ -37,10 +36,34 @@ public class PolygonTriangulationTests
     }
 
     [Fact]
-    public void Add_CrossingOutline_EndsWithAllTriangles()
+    public void Triangulate_CrossingOutline_EndsWithAllTriangles()
     {
         var triangles = new List<int>();
-        PolygonTriangulation.Add([new(0, 0, 0), new(2, 2, 0), new(2, 0, 0), new(0, 2, 0), new(1, 5, 0)], [0, 1, 2, 3, 4], triangles);
+        PolygonTriangulation.Triangulate([new(0, 0, 0), new(2, 2, 0), new(2, 0, 0), new(0, 2, 0), new(1, 5, 0)], [0, 1, 2, 3, 4], triangles);
         Assert.Equal(9, triangles.Count);
     }
+
+    [Fact]
+    public void Triangulate_ConvexQuad_TakesTheDiagonalWithTheLargerAngles()
+    {
+        var triangles = new List<int>();
+        PolygonTriangulation.Triangulate([new(0, 0, 0), new(4, 0, 0), new(5, 1, 0), new(1, 1, 0)], [0, 1, 2, 3], triangles);
+        Assert.Equal([3, 0, 1, 1, 2, 3], triangles);
+    }
+
+    [Fact]
+    public void Triangulate_LargePolygon_IsWholeAndWithoutSlivers()
+    {
+        const int N = 2000;
+        Vector3D[] points = [.. Enumerable.Range(0, N).Select(i => new Vector3D(Math.Cos(2 * Math.PI * i / N), Math.Sin(2 * Math.PI * i / N), 0))];
+        var triangles = new List<int>();
+        PolygonTriangulation.Triangulate(points, [.. Enumerable.Range(0, N)], triangles);
+        Assert.Equal(3 * (N - 2), triangles.Count);
+        // A fan would use the first corner in every triangle.
+        Assert.True(triangles.Count(corner => corner == 0) < 100);
+    }
+
+    [Fact]
+    public void Triangulate_TwoCorners_Throws() =>
+        Assert.Throws<ArgumentException>(() => PolygonTriangulation.Triangulate([default, default], [0, 1], []));
 }
