@@ -34,6 +34,8 @@ internal sealed record CliError(int ExitStatus, string Kind, string Message)
         TopologyException topology => new(1, "refused", error.Message) { Elements = topology.Elements },
         ArgumentException when reading => new(3, "format", $"{file}: {FirstLine(error.Message)}") { File = file },
         IOException or UnauthorizedAccessException => new(3, "io", error.Message) { File = file },
+        // The options are right; it is the mesh that the operation cannot take.
+        ArgumentException { ParamName: "mesh" } => new(1, "refused", FirstLine(error.Message)),
         ArgumentException => new(2, "usage", FirstLine(error.Message)),
         OutOfMemoryException => new(1, "refused", "not enough memory"),
         _ => new(1, "refused", error.Message),

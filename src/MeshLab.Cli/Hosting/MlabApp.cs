@@ -101,7 +101,9 @@ internal static class MlabApp
             string? word = Array.Find(args, arg => !arg.StartsWith('-'));
             return new CliError(2, "usage", word is null ? "no verb given; mlab --help lists them" : $"there is no verb '{word}'; mlab --help lists them");
         }
-        return new CliError(2, "usage", parsed.Errors[0].Message);
+        // A choice of words comes on several lines.
+        string[] words = parsed.Errors[0].Message.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
+        return new CliError(2, "usage", string.Join(' ', words));
     }
 
     private static int Report(CliError problem, bool json, Exception? cause, bool debug, TextWriter output, TextWriter error)

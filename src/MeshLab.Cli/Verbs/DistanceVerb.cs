@@ -30,6 +30,8 @@ internal sealed class DistanceVerb : Verb
     public override void Run(VerbContext context)
     {
         Mesh a = context.ReadMesh(context.Get(first)), b = context.ReadMesh(context.Get(second));
+        if (a.Faces.Count == 0 || b.Faces.Count == 0)
+            throw new RefusedException("a mesh without faces has no distance from anything");
         var options = new MeshDistanceOptions { Samples = context.Get(samples), Seed = context.Seed, Deterministic = context.Get(deterministic) };
         MeshDistanceReport report = context.Time(() => MeshDistance.Measure(a, b, options, context.Progress("distance"), context.CancellationToken));
         context.Result

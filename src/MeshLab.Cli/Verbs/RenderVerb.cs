@@ -47,7 +47,7 @@ internal sealed class RenderVerb : Verb
         MeshValue? value = context.Get(values) is { } name ? MeshValue.Named(name) : null;
 
         Mesh mesh = context.ReadMesh(context.Get(input));
-        context.Time(() =>
+        Image image = context.Time(() =>
         {
             var options = new RenderOptions
             {
@@ -59,8 +59,9 @@ internal sealed class RenderVerb : Verb
                 Coloring = ColoringOf(mesh, value, context),
             };
             context.CancellationToken.ThrowIfCancellationRequested();
-            MeshRenderer.Render(mesh, options).SavePng(path);
+            return MeshRenderer.Render(mesh, options);
         });
+        image.SavePng(path);
         context.Result.Add("width", pixels[0]).Add("height", pixels[1]);
     }
 

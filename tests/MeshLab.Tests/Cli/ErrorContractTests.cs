@@ -136,11 +136,16 @@ public sealed class ErrorContractTests : IDisposable
         });
     }
 
-    [Fact]
-    public void Run_OperationRefused_HasStatus1()
+    [Theory]
+    [InlineData("values {points} --of geodesic-edges", "no vertex")]
+    [InlineData("distance {mesh} {points}", "without faces")]
+    [InlineData("values {quad} --of cotangent", "f0")]
+    [InlineData("values {quad} --of harmonic", "f0")]
+    public void Run_OperationRefused_HasStatus1(string line, string reason)
     {
-        JsonElement error = Fail(1, "values {points} --of geodesic-edges");
+        JsonElement error = Fail(1, line);
         Assert.Equal("refused", error.GetProperty("kind").GetString());
+        Assert.Contains(reason, error.GetProperty("message").GetString(), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -182,6 +187,7 @@ public sealed class ErrorContractTests : IDisposable
                 .Replace("{broken}", folder.Text("broken.obj", "v 0 0\n"), StringComparison.Ordinal)
                 .Replace("{binary}", folder.Text("binary.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nend_header\n"), StringComparison.Ordinal)
                 .Replace("{fins}", folder.Text("fins.obj", Fins), StringComparison.Ordinal)
+                .Replace("{quad}", folder.Text("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nf 1 2 3 4\n"), StringComparison.Ordinal)
                 .Replace("{points}", folder.Text("points.obj", "v 0 0 0\nv 1 0 0\n"), StringComparison.Ordinal)
                 .Replace("{out}", folder.PathOf("out"), StringComparison.Ordinal)
                 .Replace("{folder}", folder.Root, StringComparison.Ordinal)

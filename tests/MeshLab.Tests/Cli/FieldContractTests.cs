@@ -72,7 +72,7 @@ public sealed class FieldContractTests : IDisposable
     [Fact]
     public void Verbs_OfTheseTests_AreAllVerbs()
     {
-        string[] tested = [.. Fields.Select(row => row.Data.Item1.Split(' ')[0]).Distinct()];
+        string[] tested = [.. Fields.Select(row => ((string)row[0]).Split(' ')[0]).Distinct()];
         // A verb of the contract comes with a row above.
         string[] contract = ["info", "validate", "convert", "generate", "dual", "values", "rings", "boundary", "cut", "distance", "remesh", "smooth", "topology", "render"];
         Assert.Empty(contract.Except(tested));

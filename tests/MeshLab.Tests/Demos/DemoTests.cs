@@ -1,0 +1,95 @@
+using System.Reflection;
+using MeshLab.Demos.Hosting;
+using MeshLab.Structure;
+using Xunit;
+
+namespace MeshLab.Tests.Demos;
+
+/// <summary>The demos: found, in the book's order, and all of them run on a small model.</summary>
+[Trait("Section", "demos")]
+public sealed class DemoTests : IDisposable
+{
+    private readonly string folder = Directory.CreateTempSubdirectory("demos").FullName;
+
+    public void Dispose() => Directory.Delete(folder, true);
+
+    [Fact]
+    public void EveryDemo_HasRunAndTitles()
+    {
+        Type[] types = [.. typeof(DemoCatalog).Assembly.GetTypes().Where(type => type.GetCustomAttribute<DemoAttribute>() is not null)];
+        Assert.Equal(types.Length, DemoCatalog.All.Count);
+        foreach (Type type in types)
+        {
+            MethodInfo? run = type.GetMethod("Run", [typeof(Mesh), typeof(DemoOutput)]);
+            Assert.True(run is { IsStatic: true } && run.ReturnType == typeof(void), $"{type} has no method Run(Mesh, DemoOutput)");
+            DemoAttribute mark = type.GetCustomAttribute<DemoAttribute>()!;
+            Assert.Matches(@"^(L?\d+)(\.\d+)*$", mark.Section);
+            Assert.Contains(mark.Chinese, c => c > 0x2E80);
+            Assert.All(mark.English, c => Assert.True(c < 0x2E80, $"{type}: {mark.English}"));
+        }
+    }
+
+    [Fact]
+    public void Catalog_Sections_AreDifferentAndInOrder()
+    {
+        string[] sections = [.. DemoCatalog.All.Select(demo => demo.Section)];
+        Assert.Equal(sections.Distinct(StringComparer.OrdinalIgnoreCase), sections);
+        Assert.Equal(sections.Order(SectionOrder.Instance), sections);
+        Assert.True(SectionOrder.Instance.Compare("2.9", "2.10") < 0);
+        Assert.True(SectionOrder.Instance.Compare("14.3", "L1") < 0);
+        Assert.True(SectionOrder.Instance.Compare("4", "4.1") < 0);
+        Assert.All(sections, section => Assert.Equal(section, DemoCatalog.Find(section)!.Section));
+        Assert.Null(DemoCatalog.Find("99.9"));
+    }
+
+    [Fact]
+    public void Catalog_Chapters1_2_4_14_AreComplete()
+    {
+        foreach (string section in (string[])
+            ["1.3", "1.4", "1.5", "2.1", "2.2", "2.3", "2.4", "2.5", "2.6", "4.1", "4.2", "4.3", "4.4", "4.5", "4.6", "4.7", "4.8", "14.1", "14.2"])
+        {
+            Assert.NotNull(DemoCatalog.Find(section));
+        }
+    }
+
+    /// <summary>Slow: it draws all pictures.</summary>
+    [Fact]
+    [Trait("Speed", "slow")]
+    public void Tour_SmallModel_ShowsEverySection()
+    {
+        Mesh mesh = Models.BumpySphere(14, 18, 0.05);
+        ulong before = mesh.StateHash();
+
+        Assert.Equal(0, Tour.Run(mesh, "small.obj", folder));
+
+        Assert.Equal(before, mesh.StateHash());
+        string page = File.ReadAllText(Path.Combine(folder, "index.html"));
+        foreach (Demo demo in DemoCatalog.All)
+            Assert.Contains(demo.Chinese, page, StringComparison.Ordinal);
+        Assert.DoesNotContain("Not for this model", page, StringComparison.Ordinal);
+        Assert.NotEmpty(Directory.GetFiles(folder, "*.png", SearchOption.AllDirectories));
+        Assert.Empty(mesh.Validate());
+    }
+
+    [Theory]
+    [InlineData("1.4", "grid-quads")]
+    [InlineData("4.7", "holes")]
+    [InlineData("10.1", "components")]
+    [InlineData("11.1", "annulus")]
+    [InlineData("14.2", "mixed-polygons")]
+    public void RunDemo_OpenOrPolygonModel_RunsOrRefuses(string section, string model)
+    {
+        var output = new DemoOutput(folder, null);
+        string? refusal = Tour.RunDemo(DemoCatalog.Find(section)!, Models.Create(model), output);
+        Assert.True(refusal is not null || output.Items.Count > 0);
+    }
+
+    [Fact]
+    public void Run_WrongWords_HasStatus2()
+    {
+        Assert.Equal(2, DemoProgram.Run(["no-such-section"]));
+        Assert.Equal(2, DemoProgram.Run(["4.7", Path.Combine(folder, "nowhere.obj")]));
+        Assert.Equal(2, DemoProgram.Run(["4.7", "a", "b"]));
+        Assert.Equal(0, DemoProgram.Run([]));
+    }
+}
