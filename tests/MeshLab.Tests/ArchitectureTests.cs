@@ -10,8 +10,11 @@ public sealed partial class ArchitectureTests
     private const int MostLines = 600;
 
     [Fact]
-    public void Folders_OfTheLibrary_AreThoseOfTheDocument() =>
-        Assert.Equal(FoldersWithCode().Order(StringComparer.Ordinal), Layers().Keys.Order(StringComparer.Ordinal));
+    public void Folders_OfTheLibrary_AreInTheDocument()
+    {
+        Assert.Empty(FoldersWithCode().Except(Layers().Keys));
+        Assert.True(Layers().Count > 15);
+    }
 
     [Fact]
     public void Arrows_BetweenFolders_PointToTheSameOrALowerLayer()

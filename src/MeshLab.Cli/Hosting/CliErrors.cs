@@ -1,3 +1,4 @@
+using System.Text.RegularExpressions;
 using MeshLab.IO;
 using MeshLab.Structure;
 
@@ -13,7 +14,7 @@ internal sealed class RefusedException(string message, params IReadOnlyList<stri
 }
 
 /// <summary>How an exception is told to the user: exit status and the fields of the error object.</summary>
-internal sealed record CliError(int ExitStatus, string Kind, string Message)
+internal sealed partial record CliError(int ExitStatus, string Kind, string Message)
 {
     public string? File { get; init; }
 
@@ -35,7 +36,7 @@ internal sealed record CliError(int ExitStatus, string Kind, string Message)
         ArgumentException when reading => new(3, "format", $"{file}: {FirstLine(error.Message)}") { File = file },
         IOException or UnauthorizedAccessException => new(3, "io", error.Message) { File = file },
         // The options are right; it is the mesh that the operation cannot take.
-        ArgumentException { ParamName: "mesh" } => new(1, "refused", FirstLine(error.Message)),
+        ArgumentException { ParamName: "mesh" or "face" } => new(1, "refused", FirstLine(error.Message)) { Elements = ElementsIn(error.Message) },
         ArgumentException => new(2, "usage", FirstLine(error.Message)),
         OutOfMemoryException => new(1, "refused", "not enough memory"),
         _ => new(1, "refused", error.Message),
@@ -55,6 +56,12 @@ internal sealed record CliError(int ExitStatus, string Kind, string Message)
             fields.Add("elements", Elements);
         return fields;
     }
+
+    /// <summary>The names of elements in a message: v12, h3, e4, f5.</summary>
+    private static string[] ElementsIn(string message) => [.. ElementName().Matches(message).Select(match => match.Value).Distinct()];
+
+    [GeneratedRegex(@"\b[vhef][0-9]+\b")]
+    private static partial Regex ElementName();
 
     /// <summary>Argument exceptions add the parameter on a further line or in brackets; the user has no parameters.</summary>
     private static string FirstLine(string message)
