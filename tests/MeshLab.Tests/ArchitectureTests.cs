@@ -12,7 +12,7 @@ public sealed partial class ArchitectureTests
     [Fact]
     public void Folders_OfTheLibrary_AreInTheDocument()
     {
-        Assert.Empty(FoldersWithCode().Except(Layers().Keys));
+        Assert.Empty(FoldersWithCode().Except(Layers().Keys, StringComparer.Ordinal));
         Assert.True(Layers().Count > 15);
     }
 
@@ -27,14 +27,14 @@ public sealed partial class ArchitectureTests
     [Fact]
     public void Arrows_BetweenFolders_MakeNoCircle()
     {
-        ILookup<string, string> uses = Arrows().Select(arrow => (arrow.From, arrow.To)).Distinct().ToLookup(arrow => arrow.From, arrow => arrow.To);
+        ILookup<string, string> uses = Arrows().Select(arrow => (arrow.From, arrow.To)).Distinct().ToLookup(arrow => arrow.From, arrow => arrow.To, StringComparer.Ordinal);
         var done = new HashSet<string>(StringComparer.Ordinal);
         foreach (string folder in FoldersWithCode())
             Visit(folder, []);
 
         void Visit(string folder, List<string> path)
         {
-            Assert.False(path.Contains(folder), $"a circle: {string.Join(" → ", path)} → {folder}");
+            Assert.False(path.Contains(folder, StringComparer.Ordinal), $"a circle: {string.Join(" → ", path)} → {folder}");
             if (!done.Add(folder))
                 return;
             foreach (string next in uses[folder])
@@ -49,7 +49,7 @@ public sealed partial class ArchitectureTests
         {
             Match match = NamespaceLine().Match(File.ReadAllText(file));
             if (match.Success)
-                Assert.True(match.Groups[1].Value == FolderOf(file), $"{file}: namespace MeshLab.{match.Groups[1].Value}");
+                Assert.True(match.Groups["name"].Value == FolderOf(file), $"{file}: namespace MeshLab.{match.Groups["name"].Value}");
         }
     }
 
@@ -103,7 +103,7 @@ public sealed partial class ArchitectureTests
         {
             foreach (Match link in MarkdownLink().Matches(File.ReadAllText(file)))
             {
-                string target = link.Groups[1].Value.Split('#')[0];
+                string target = link.Groups["name"].Value.Split('#')[0];
                 if (target.Length == 0 || target.Contains("://", StringComparison.Ordinal))
                     continue;
                 string path = Path.GetFullPath(Path.Combine(Path.GetDirectoryName(file)!, target));
@@ -136,13 +136,13 @@ public sealed partial class ArchitectureTests
             foreach (string line in CodeLines(file))
             {
                 Match match = LibraryName().Match(line);
-                if (match.Success && match.Groups[1].Value != from && !line.StartsWith("namespace", StringComparison.Ordinal))
-                    yield return (from, match.Groups[1].Value, Path.GetFileName(file));
+                if (match.Success && match.Groups["name"].Value != from && !line.StartsWith("namespace", StringComparison.Ordinal))
+                    yield return (from, match.Groups["name"].Value, Path.GetFileName(file));
             }
         }
     }
 
-    private static IEnumerable<string> FoldersWithCode() => LibraryFiles().Select(FolderOf).Distinct();
+    private static IEnumerable<string> FoldersWithCode() => LibraryFiles().Select(FolderOf).Distinct(StringComparer.Ordinal);
 
     private static IEnumerable<string> LibraryFiles() => RepositoryFiles.Below("src/MeshLab", "*.cs");
 
@@ -152,21 +152,21 @@ public sealed partial class ArchitectureTests
 
     private static IEnumerable<string> CodeLines(string file) => File.ReadLines(file).Where(line => !line.TrimStart().StartsWith("//", StringComparison.Ordinal));
 
-    [GeneratedRegex(@"\bMeshLab\.([A-Z]\w+)")]
+    [GeneratedRegex(@"\bMeshLab\.(?<name>[A-Z]\w+)", RegexOptions.None, 60_000)]
     private static partial Regex LibraryName();
 
-    [GeneratedRegex(@"^namespace MeshLab\.([A-Z]\w+)", RegexOptions.Multiline)]
+    [GeneratedRegex(@"^namespace MeshLab\.(?<name>[A-Z]\w+)", RegexOptions.Multiline, 60_000)]
     private static partial Regex NamespaceLine();
 
-    [GeneratedRegex(@"\bConsole\.")]
+    [GeneratedRegex(@"\bConsole\.", RegexOptions.None, 60_000)]
     private static partial Regex ConsoleCall();
 
-    [GeneratedRegex(@"catch\s*(\([^)]*\))?\s*\{\s*\}")]
+    [GeneratedRegex(@"catch\s*(?:\([^)]*\))?\s*\{\s*\}", RegexOptions.None, 60_000)]
     private static partial Regex EmptyCatch();
 
-    [GeneratedRegex(@"\w+")]
+    [GeneratedRegex(@"\w+", RegexOptions.None, 60_000)]
     private static partial Regex Word();
 
-    [GeneratedRegex(@"\]\(([^)\s]+)\)")]
+    [GeneratedRegex(@"\]\((?<name>[^)\s]+)\)", RegexOptions.None, 60_000)]
     private static partial Regex MarkdownLink();
 }

@@ -20,6 +20,9 @@ public sealed class DemoOutput
 
     internal IReadOnlyList<DemoItem> Items => items;
 
+    /// <summary>Size of the pictures as a share of what the demo asks for.</summary>
+    internal double PictureScale { get; init; } = 1;
+
     /// <summary>Says something; numbers in it are formatted with the invariant culture.</summary>
     public void Line(FormattableString text)
     {
@@ -51,7 +54,8 @@ public sealed class DemoOutput
     public void Picture(string name, Mesh mesh, RenderOptions options)
     {
         ArgumentNullException.ThrowIfNull(mesh);
-        MeshRenderer.Render(mesh, options).SavePng(FileFor(name + ".png"));
+        ArgumentNullException.ThrowIfNull(options);
+        MeshRenderer.Render(mesh, Scaled(options, PictureScale)).SavePng(FileFor(name + ".png"));
         Note(new DemoPicture(name, FileFor(name + ".png")));
     }
 
@@ -77,6 +81,9 @@ public sealed class DemoOutput
         Directory.CreateDirectory(directory);
         return Path.Combine(directory, name);
     }
+
+    internal static RenderOptions Scaled(RenderOptions options, double scale) =>
+        scale == 1 ? options : options with { Width = Math.Max(1, (int)(options.Width * scale)), Height = Math.Max(1, (int)(options.Height * scale)) };
 
     private void Note(DemoPicture picture)
     {

@@ -12,15 +12,15 @@ internal static class Tour
     /// <summary>A model that can be turned is stored whole in its page; above this many faces the page would be too large to open quickly.</summary>
     private const int MostFacesToTurn = 120_000;
 
-    public static int Run(Mesh mesh, string path, string outDirectory)
+    public static int Run(Mesh mesh, string path, string outDirectory, double pictureScale = 1)
     {
         Directory.CreateDirectory(outDirectory);
         var page = new HtmlPage("MeshLab", $"{Path.GetFileName(path)} · {mesh}");
-        AddModel(page, mesh, outDirectory);
+        AddModel(page, mesh, outDirectory, pictureScale);
         foreach (Demo demo in DemoCatalog.All)
         {
             long start = Stopwatch.GetTimestamp();
-            var output = new DemoOutput(Path.Combine(outDirectory, demo.Section), null);
+            var output = new DemoOutput(Path.Combine(outDirectory, demo.Section), null) { PictureScale = pictureScale };
             string? refusal = RunDemo(demo, mesh, output);
             string took = Stopwatch.GetElapsedTime(start).TotalSeconds.ToString("F1", CultureInfo.InvariantCulture);
             AnsiConsole.MarkupLineInterpolated($"{demo.Title} [grey]{took} s{(refusal is null ? "" : ", not for this model: " + refusal)}[/]");
@@ -46,11 +46,11 @@ internal static class Tour
         }
     }
 
-    private static void AddModel(HtmlPage page, Mesh mesh, string outDirectory)
+    private static void AddModel(HtmlPage page, Mesh mesh, string outDirectory, double pictureScale)
     {
         HtmlSection section = page.AddSection("0", "模型", "The model");
         string picture = Path.Combine(outDirectory, "model.png");
-        MeshRenderer.Render(mesh, new RenderOptions()).SavePng(picture);
+        MeshRenderer.Render(mesh, DemoOutput.Scaled(new RenderOptions(), pictureScale)).SavePng(picture);
         if (mesh.Faces.Count > MostFacesToTurn)
         {
             section.AddPicture("model.png", "the model");
@@ -80,7 +80,7 @@ internal static class Tour
                     section.AddPicture(Path.GetRelativePath(outDirectory, picture.Path).Replace('\\', '/'), picture.Name);
                     break;
                 case DemoViewer { Mesh.Faces.Count: <= MostFacesToTurn } viewer:
-                    AddViewer(section, demo, viewer, outDirectory);
+                    AddViewer(section, demo, viewer, outDirectory, output.PictureScale);
                     break;
             }
         }
@@ -88,13 +88,13 @@ internal static class Tour
             section.AddText($"Not for this model: {refusal}");
     }
 
-    private static void AddViewer(HtmlSection section, Demo demo, DemoViewer viewer, string outDirectory)
+    private static void AddViewer(HtmlSection section, Demo demo, DemoViewer viewer, string outDirectory, double pictureScale)
     {
         string folder = Path.Combine(outDirectory, demo.Section);
         Directory.CreateDirectory(folder);
         var options = new RenderOptions { Coloring = viewer.Coloring ?? Coloring.Default };
         HtmlViewer.Save(Path.Combine(folder, viewer.Name + ".html"), viewer.Mesh, options, viewer.Name, embedded: true);
-        MeshRenderer.Render(viewer.Mesh, options).SavePng(Path.Combine(folder, viewer.Name + ".png"));
+        MeshRenderer.Render(viewer.Mesh, DemoOutput.Scaled(options, pictureScale)).SavePng(Path.Combine(folder, viewer.Name + ".png"));
         section.AddModel($"{demo.Section}/{viewer.Name}.html", $"{demo.Section}/{viewer.Name}.png", viewer.Name);
     }
 }

@@ -58,9 +58,9 @@ internal sealed partial record CliError(int ExitStatus, string Kind, string Mess
     }
 
     /// <summary>The names of elements in a message: v12, h3, e4, f5.</summary>
-    private static string[] ElementsIn(string message) => [.. ElementName().Matches(message).Select(match => match.Value).Distinct()];
+    private static string[] ElementsIn(string message) => [.. ElementName().Matches(message).Select(match => match.Value).Distinct(StringComparer.Ordinal)];
 
-    [GeneratedRegex(@"\b[vhef][0-9]+\b")]
+    [GeneratedRegex(@"\b[vhef][0-9]+\b", RegexOptions.None, 1000)]
     private static partial Regex ElementName();
 
     /// <summary>Argument exceptions add the parameter on a further line or in brackets; the user has no parameters.</summary>

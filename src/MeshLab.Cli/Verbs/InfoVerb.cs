@@ -52,13 +52,8 @@ internal sealed class InfoVerb : Verb
             .Add("angleDefectSum", measures.AngleDefectSum)
             .Add("dihedral", new ResultFields().Add("min", measures.Dihedral.Min).Add("max", measures.Dihedral.Max))
             .Add("zeroAreaFaces", measures.Mass.ZeroAreaFaces);
-        context.Table("Components", ["first vertex", "V", "E", "F", "χ", "loops", "genus"], topology.Components.Take(20).Select(Row));
+        context.Table("Components", ["first vertex", "V", "E", "F", "χ", "loops", "genus"], topology.Components.Take(20).Select(TopologyVerb.Row));
     }
-
-    private static IReadOnlyList<string> Row(ComponentTopology c) => [.. new[]
-    {
-        c.FirstVertex, c.Vertices, c.Edges, c.Faces, c.EulerCharacteristic, c.BoundaryLoops, c.Genus,
-    }.Select(n => n.ToString(CultureInfo.InvariantCulture))];
 
     private static ResultFields Range(ValueRange range) => new ResultFields().Add("min", range.Min).Add("mean", range.Mean).Add("max", range.Max);
 

@@ -65,7 +65,8 @@ internal sealed class TopologyVerb : Verb
         .Add("boundaryLoops", c.BoundaryLoops)
         .Add("genus", c.Genus);
 
-    private static IReadOnlyList<string> Row(ComponentTopology c) => [.. new[]
+    /// <summary>A component as a row of a table for people.</summary>
+    internal static IReadOnlyList<string> Row(ComponentTopology c) => [.. new[]
     {
         c.FirstVertex, c.Vertices, c.Edges, c.Faces, c.EulerCharacteristic, c.BoundaryLoops, c.Genus,
     }.Select(n => n.ToString(CultureInfo.InvariantCulture))];

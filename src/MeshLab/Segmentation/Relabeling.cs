@@ -6,9 +6,13 @@ namespace MeshLab.Segmentation;
 internal static class Relabeling
 {
     /// <summary>Numbers the labels that occur from 0, in the order of their lowest face. Returns how many there are.</summary>
-    public static int Compact(int[] labels)
+    /// <param name="labels">Per face; −1 stays.</param>
+    /// <param name="keepsZero">Whether the label 0, if it occurs, stays the first.</param>
+    public static int Compact(int[] labels, bool keepsZero = false)
     {
         var number = new Dictionary<int, int>();
+        if (keepsZero && Array.IndexOf(labels, 0) >= 0)
+            number[0] = 0;
         for (int f = 0; f < labels.Length; f++)
         {
             if (labels[f] < 0)

@@ -61,7 +61,7 @@ public static class Watershed
             }
             labels[f.Index] = vertexLabels[deciding];
         }
-        int count = options.Form == WatershedForm.Limbs ? BodyFirst(labels) : Relabeling.Compact(labels);
+        int count = Relabeling.Compact(labels, keepsZero: options.Form == WatershedForm.Limbs);
         return new FaceSegmentation(labels, count, double.NaN, 0, SegmentationStop.Complete);
     }
 
@@ -169,23 +169,5 @@ public static class Watershed
         MorseFunction upsideDown = new(function.Mesh, [.. function.Values.Select(x => -x)], ReversedRanks(function));
         PersistencePairs pairs = PersistencePairs.Of(upsideDown);
         return ThresholdFor(pairs, PairKind.MinimumSaddle, segments - 1 - pairs.EssentialMinima.Count);
-    }
-
-    /// <summary>Numbers limbs by their lowest face, after the body, which keeps 0 if it has faces.</summary>
-    private static int BodyFirst(int[] labels)
-    {
-        bool hasBody = Array.IndexOf(labels, 0) >= 0;
-        var number = new Dictionary<int, int>();
-        if (hasBody)
-            number[0] = 0;
-        for (int f = 0; f < labels.Length; f++)
-        {
-            if (labels[f] < 0)
-                continue;
-            if (!number.TryGetValue(labels[f], out int fresh))
-                number[labels[f]] = fresh = number.Count;
-            labels[f] = fresh;
-        }
-        return number.Count;
     }
 }

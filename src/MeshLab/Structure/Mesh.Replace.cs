@@ -18,13 +18,6 @@ public sealed partial class Mesh
         halfEdgeSlots = newNext.Length;
         edgeCount = halfEdgeSlots / 2;
         faceCount = faceSlots = newHalfEdgeOf.Length;
-        foreach (Trait trait in vertexTraits)
-            trait.Compact(maps.Vertices, vertexSlots);
-        foreach (Trait trait in halfEdgeTraits)
-            trait.Compact(maps.HalfEdges, halfEdgeSlots);
-        foreach (Trait trait in edgeTraits)
-            trait.Compact(maps.Edges, EdgeSlots);
-        foreach (Trait trait in faceTraits)
-            trait.Compact(maps.Faces, faceSlots);
+        CompactTraits(maps);
     }
 }

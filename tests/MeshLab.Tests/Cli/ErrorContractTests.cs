@@ -131,8 +131,8 @@ public sealed class ErrorContractTests : IDisposable
         Assert.All(repairs, repair =>
         {
             Assert.Equal(kind, repair.GetProperty("kind").GetString());
-            Assert.NotEqual("", repair.GetProperty("element").GetString());
-            Assert.NotEqual("", repair.GetProperty("message").GetString());
+            Assert.False(string.IsNullOrEmpty(repair.GetProperty("element").GetString()));
+            Assert.False(string.IsNullOrEmpty(repair.GetProperty("message").GetString()));
         });
     }
 

@@ -72,11 +72,11 @@ public sealed class FieldContractTests : IDisposable
     [Fact]
     public void Verbs_OfTheseTests_AreAllVerbs()
     {
-        string[] tested = [.. Fields.Select(row => ((string)row[0]).Split(' ')[0]).Distinct()];
+        string[] tested = [.. Fields.Select(row => ((string)row[0]).Split(' ')[0]).Distinct(StringComparer.Ordinal)];
         // A verb of the contract comes with a row above.
         string[] contract = ["info", "validate", "convert", "generate", "dual", "values", "rings", "boundary", "cut", "distance", "remesh", "smooth", "topology", "render"];
-        Assert.Empty(contract.Except(tested));
-        Assert.Empty(contract.Except(MlabApp.Verbs.Select(verb => verb.Name)));
+        Assert.Empty(contract.Except(tested, StringComparer.Ordinal));
+        Assert.Empty(contract.Except(MlabApp.Verbs.Select(verb => verb.Name), StringComparer.Ordinal));
     }
 
     [Fact]
