@@ -67,46 +67,50 @@ public static class EdgeFlip
         }
     }
 
+    // Flips are the commonest operation, so these two go down to the columns; the names are those of the drawing.
     private static FlipRefusal Examine(Edge edge)
     {
         edge.ThrowIfDead();
-        if (edge.IsBoundary)
+        Mesh mesh = edge.Mesh;
+        int[] next = mesh.next, target = mesh.target, face = mesh.face;
+        int h = 2 * edge.index, t = h + 1;
+        if (face[h] < 0 || face[t] < 0)
             return FlipRefusal.Boundary;
 
-        HalfEdge h = edge.HalfEdge0, t = h.Twin;
-        HalfEdge bc = h.Next, ca = bc.Next, ad = t.Next, db = ad.Next;
-        if (ca.Next != h || db.Next != t)
+        int bc = next[h], ca = next[bc], ad = next[t], db = next[ad];
+        if (next[ca] != h || next[db] != t)
             return FlipRefusal.NotTriangles;
 
-        Vertex c = bc.Target, d = ad.Target;
+        int a = target[t], b = target[h], c = target[bc], d = target[ad];
         // c = d is a pair of triangles glued along two edges; joining c to itself would leave the manifold.
-        if (c == d || c.IsNeighborOf(d))
+        if (c == d || mesh.FindHalfEdge(c, d) >= 0)
             return FlipRefusal.DiagonalExists;
 
-        // With three spokes, the one after a→c is a→d.
-        bool threeAtA = ca.Twin.Previous.Twin == ad && !t.Target.IsBoundary;
-        bool threeAtB = db.Twin.Previous.Twin == bc && !h.Target.IsBoundary;
+        // With three spokes, the one after a → c is a → d.
+        int[] previous = mesh.previous;
+        bool threeAtA = previous[ca ^ 1] == (ad ^ 1) && face[mesh.outgoing[a]] >= 0;
+        bool threeAtB = previous[db ^ 1] == (bc ^ 1) && face[mesh.outgoing[b]] >= 0;
         return threeAtA || threeAtB ? FlipRefusal.EndOfValenceThree : FlipRefusal.None;
     }
 
     private static void Apply(Edge edge)
     {
         Mesh mesh = edge.Mesh;
-        HalfEdge h = edge.HalfEdge0, t = h.Twin;
-        HalfEdge bc = h.Next, ca = bc.Next, ad = t.Next, db = ad.Next;
-        Vertex a = t.Target, b = h.Target, c = bc.Target, d = ad.Target;
+        int h = 2 * edge.index, t = h + 1;
+        int bc = mesh.next[h], ca = mesh.next[bc], ad = mesh.next[t], db = mesh.next[ad];
+        int a = mesh.target[t], b = mesh.target[h], c = mesh.target[bc], d = mesh.target[ad];
 
-        using OperationScope operation = mesh.BeginOperation(OperationKind.EdgeFlip, edge.Index);
-        mesh.CopyTraits(ElementKind.HalfEdge, bc.Index, h.Index);
-        mesh.CopyTraits(ElementKind.HalfEdge, ad.Index, t.Index);
+        using OperationScope operation = mesh.BeginOperation(OperationKind.EdgeFlip, edge.index);
+        mesh.CopyTraits(ElementKind.HalfEdge, bc, h);
+        mesh.CopyTraits(ElementKind.HalfEdge, ad, t);
         mesh.SetTarget(h, c);
         mesh.SetTarget(t, d);
-        mesh.LinkTriangle(h.Face, h, ca, ad);
-        mesh.LinkTriangle(t.Face, t, db, bc);
+        mesh.LinkTriangle(mesh.face[h], h, ca, ad);
+        mesh.LinkTriangle(mesh.face[t], t, db, bc);
         // An inner vertex may have any outgoing half-edge; a boundary vertex's is neither h nor t.
-        if (a.Outgoing == h)
+        if (mesh.outgoing[a] == h)
             mesh.SetOutgoing(a, ad);
-        if (b.Outgoing == t)
+        if (mesh.outgoing[b] == t)
             mesh.SetOutgoing(b, bc);
         operation.Complete();
     }

@@ -97,11 +97,12 @@ public sealed partial class Mesh
             EnsureHalfEdgeCapacity(h + 2);
         halfEdgeSlots = h + 2;
         edgeCount++;
-        target[h] = to;
-        target[h + 1] = from;
-        face[h] = face[h + 1] = -1;
-        next[h] = previous[h] = h + 1;
-        next[h + 1] = previous[h + 1] = h;
+        int[] targets = target, faces = face, n = next, p = previous;
+        targets[h + 1] = from;
+        targets[h] = to;
+        faces[h + 1] = faces[h] = -1;
+        n[h + 1] = p[h + 1] = h;
+        n[h] = p[h] = h + 1;
         if (halfEdgeTraits.Count > 0)
             GrowTraits(halfEdgeTraits, halfEdgeSlots);
         if (edgeTraits.Count > 0)
@@ -202,6 +203,26 @@ public sealed partial class Mesh
 
     /// <inheritdoc cref="LinkTriangle(Face, HalfEdge, HalfEdge, HalfEdge)"/>
     internal void LinkTriangle(int f, int a, int b, int c)
+    {
+        if (journal is not null)
+        {
+            LinkTriangleNoting(f, a, b, c);
+            return;
+        }
+        int[] n = next, p = previous, faces = face;
+        n[a] = b;
+        n[b] = c;
+        n[c] = a;
+        p[b] = a;
+        p[c] = b;
+        p[a] = c;
+        faces[a] = f;
+        faces[b] = f;
+        faces[c] = f;
+        halfEdgeOf[f] = a;
+    }
+
+    private void LinkTriangleNoting(int f, int a, int b, int c)
     {
         SetNext(a, b);
         SetNext(b, c);

@@ -104,6 +104,7 @@ internal static class StructureOps
         {
             (Mesh mesh, Vector3D[] relaxed) = state;
             int vertices = mesh.VertexSlots, edges = mesh.EdgeSlots, faces = mesh.FaceSlots;
+            mesh.Reserve(faces, 3 * faces, 2 * faces);
             for (int i = 0; i < vertices; i++)
                 relaxed[i] = Relaxed(mesh.Vertices[i]);
             for (int i = 0; i < faces; i++)
