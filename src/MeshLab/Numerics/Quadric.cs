@@ -36,8 +36,9 @@ public struct Quadric : IEquatable<Quadric>
     /// <summary>The constant c.</summary>
     public double C;
 
-    /// <summary>A determinant of A below this part of its trace cubed counts as zero: no unique minimum.</summary>
-    private const double Flat = 1e-13;
+    /// <summary>A determinant of A below this part of its trace cubed counts as zero: no unique minimum. Nearly parallel planes meet far away and inexactly;
+    /// a smaller bound costs accuracy on models of flat parts.</summary>
+    private const double Flat = 1e-10;
 
     /// <summary>The trace of A: the sum of the weights of all planes.</summary>
     public readonly double Weight => XX + YY + ZZ;

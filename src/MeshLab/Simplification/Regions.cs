@@ -26,7 +26,7 @@ internal sealed class Regions
     }
 
     /// <summary>How many parts a mesh of that size has: as many as pay, whatever the number of threads.</summary>
-    public static int CountFor(int faces) => faces < 20_000 ? 1 : faces < 200_000 ? 2 : 16;
+    public static int CountFor(int faces) => faces < 20_000 ? 1 : faces < 200_000 ? 2 : faces < 800_000 ? 4 : 16;
 
     /// <summary>What <see cref="RegionsOfEdges"/> says of an edge that may be contracted in no region.</summary>
     public const byte None = Locked;
