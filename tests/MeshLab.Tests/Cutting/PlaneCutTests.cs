@@ -233,11 +233,11 @@ public class PlaneCutTests
     }
 
     [SkippableTheory]
-    [InlineData("spot", 200)]
-    [InlineData("three_holes", 40)]
-    [InlineData("featuretype", 60)]
-    [InlineData("box_assembly", 60)]
-    [InlineData("fandisk", 40)]
+    [InlineData("spot", 80)]
+    [InlineData("three_holes", 20)]
+    [InlineData("featuretype", 30)]
+    [InlineData("box_assembly", 30)]
+    [InlineData("fandisk", 15)]
     public void Split_RandomPlanesThroughPublicModels_HalvesAreClosedAndAddUp(string name, int planes)
     {
         Mesh mesh = ReferenceData.Load(name);

@@ -1,0 +1,23 @@
+using MeshLab.Cutting;
+using MeshLab.Demos.Hosting;
+using MeshLab.Geometry;
+using MeshLab.Structure;
+
+namespace MeshLab.Demos.Chapter06;
+
+/// <summary>§6.3 按三角形面切割: takes the faces that look up out of the model; appending them is the way back.</summary>
+[Demo("6.3", "按三角形面切割", "Cutting off faces")]
+public static class Section_6_3
+{
+    public static void Run(Mesh mesh, DemoOutput output)
+    {
+        Mesh rest = mesh.Clone();
+        MeshPart part = rest.Detach(rest.Faces.Where(f => f.Normal.Z > 0.7));
+        output.Line($"{part.Mesh} taken out, {rest} left");
+        int rim = part.SourceVertex.Count(v => !rest.IsDeletedVertex(v));
+        output.Line($"{rim} vertices are on the rim, and in both.");
+        output.Picture("rest", rest);
+        rest.Append(part.Mesh);
+        output.Line($"put back as a further part: {rest.Faces.Count} faces of {mesh.Faces.Count}");
+    }
+}

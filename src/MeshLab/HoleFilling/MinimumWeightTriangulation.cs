@@ -1,0 +1,141 @@
+using MeshLab.Numerics;
+
+namespace MeshLab.HoleFilling;
+
+/// <summary>§6.1 (d) 最小权三角化: of all triangulations of a loop the one whose largest bend is smallest, and among these the one of smallest area; or the one of smallest area at once.</summary>
+/// <remarks>
+/// <code>
+///            m               W(i, j): the best triangulation of the loop's part i … j.
+///          ╱   ╲             W(i, j) = min over m of W(i, m) + W(m, j) + triangle(i, m, j), where "+" is the maximum of the bends
+///     W(i,m)  W(m,j)         and the sum of the areas. The bend is that between the new triangle and the triangle chosen under
+///      ╱         ╲           (i, m) and (m, j), or the mesh's own face where that is an edge of the loop.
+///     i ───────── j
+/// </code>
+/// Barequet, Sharir 1995; weights of Liepa 2003, §3. A bend is 1 − cos of the angle between normals, rounded to 10⁻⁷, so that on a plane the area decides and
+/// not the noise. Most m are dismissed by the bends of the two parts alone. The table is kept by rows and by columns, so that both parts are
+/// read in order; the cells of a diagonal do not depend on each other and are shared out to threads. O(n³) time, O(n²) memory.
+/// </remarks>
+internal static class MinimumWeightTriangulation
+{
+    private const double BendStep = 1e-7;
+
+    /// <summary>The triangles, three numbers each, or <see langword="null"/> if the mesh has too many of the chords already.</summary>
+    public static List<int>? Triangulate(HoleLoop loop, HoleWeight weight, IProgress<double>? progress, CancellationToken cancellationToken)
+    {
+        var table = new Table(loop, weight);
+        for (int span = 2; span < loop.Count; span++)
+        {
+            cancellationToken.ThrowIfCancellationRequested();
+            table.FillDiagonal(span);
+            progress?.Report((double)span / loop.Count);
+        }
+        return table.Read();
+    }
+
+    private sealed class Table
+    {
+        private readonly HoleLoop loop;
+        private readonly int n;
+        private readonly bool bendWeighs;
+        private readonly Vector3D[] points;
+
+        // Bend and area of W(i, j) at i·n + j and, a second time, at j·n + i.
+        private readonly double[] bend;
+        private readonly double[] area;
+        private readonly int[] apex;
+        private readonly Vector3D[] normal;
+
+        public Table(HoleLoop loop, HoleWeight weight)
+        {
+            bendWeighs = weight == HoleWeight.BendThenArea;
+            this.loop = loop;
+            n = loop.Count;
+            points = loop.Points;
+            bend = new double[n * n];
+            area = new double[n * n];
+            apex = new int[n * n];
+            normal = new Vector3D[n * n];
+            Array.Fill(apex, -1);
+            for (int i = 0; i + 1 < n; i++)
+                normal[i * n + i + 1] = loop.RimNormals[i];
+        }
+
+        public void FillDiagonal(int span)
+        {
+            int cells = n - span;
+            if ((long)cells * span < 20_000)
+            {
+                for (int i = 0; i < cells; i++)
+                    FillCell(i, i + span);
+                return;
+            }
+            Parallelism.ForBlocks(cells, 16, (from, to) =>
+            {
+                for (int i = from; i < to; i++)
+                    FillCell(i, i + span);
+            });
+        }
+
+        private void FillCell(int i, int j)
+        {
+            double bestBend = double.PositiveInfinity, bestArea = double.PositiveInfinity;
+            int best = -1;
+            Vector3D bestNormal = default;
+            bool isLast = i == 0 && j == n - 1;
+            if (isLast || !loop.IsTaken(i, j))
+            {
+                ReadOnlySpan<double> leftBend = bend.AsSpan(i * n, n), rightBend = bend.AsSpan(j * n, n);
+                ReadOnlySpan<double> leftArea = area.AsSpan(i * n, n), rightArea = area.AsSpan(j * n, n);
+                Vector3D a = points[i], ab = points[j] - a;
+                for (int m = i + 1; m < j; m++)
+                {
+                    double b = Math.Max(leftBend[m], rightBend[m]);
+                    if (b > bestBend || double.IsPositiveInfinity(b))
+                        continue;
+                    double parts = leftArea[m] + rightArea[m];
+                    if (b == bestBend && parts >= bestArea)
+                        continue;
+                    Vector3D cross = Vector3D.Cross(points[m] - a, ab);
+                    double length = cross.Length;
+                    double whole = parts + length / 2;
+                    Vector3D unit = length > 0 ? cross / length : default;
+                    if (bendWeighs)
+                    {
+                        b = Math.Max(b, Bend(unit, normal[i * n + m]));
+                        b = Math.Max(b, Bend(unit, normal[m * n + j]));
+                        if (isLast)
+                            b = Math.Max(b, Bend(unit, loop.RimNormals[n - 1]));
+                    }
+                    if (b < bestBend || (b == bestBend && whole < bestArea))
+                        (bestBend, bestArea, best, bestNormal) = (b, whole, m, unit);
+                }
+            }
+            int at = i * n + j, mirrored = j * n + i;
+            bend[at] = bend[mirrored] = bestBend;
+            area[at] = area[mirrored] = bestArea;
+            apex[at] = best;
+            normal[at] = bestNormal;
+        }
+
+        private static double Bend(Vector3D a, Vector3D b) => Math.Round((1 - Vector3D.Dot(a, b)) / BendStep) * BendStep;
+
+        public List<int>? Read()
+        {
+            if (apex[n - 1] < 0)
+                return null;
+            var triangles = new List<int>(3 * (n - 2));
+            var waiting = new Stack<(int I, int J)>();
+            waiting.Push((0, n - 1));
+            while (waiting.TryPop(out var part))
+            {
+                if (part.J - part.I < 2)
+                    continue;
+                int m = apex[part.I * n + part.J];
+                triangles.AddRange([part.I, m, part.J]);
+                waiting.Push((m, part.J));
+                waiting.Push((part.I, m));
+            }
+            return triangles;
+        }
+    }
+}
