@@ -21,6 +21,7 @@ internal sealed class PatchRefinement
     private readonly int firstFace;
     private readonly int firstEdge;
 
+    /// <summary>Prepares the refinement of a patch that was just put in.</summary>
     /// <param name="mesh">The mesh with the patch in it.</param>
     /// <param name="scale">Per rim vertex.</param>
     /// <param name="firstFace">The faces from here on are the patch.</param>
