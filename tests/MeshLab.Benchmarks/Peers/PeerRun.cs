@@ -28,8 +28,9 @@ internal sealed class PeerRun(PeerModel model, string op, int repeat, double bud
         double spent = 0;
         while (true)
         {
-            TState state = prepare();
+            // Garbage of earlier runs goes first: what is prepared stays in the caches, as it does in a library without a collector.
             GC.Collect();
+            TState state = prepare();
             long start = Stopwatch.GetTimestamp();
             TOut output = work(state);
             times.Add(Stopwatch.GetElapsedTime(start).TotalMilliseconds);

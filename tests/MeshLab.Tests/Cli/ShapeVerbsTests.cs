@@ -35,7 +35,7 @@ public sealed class ShapeVerbsTests : IDisposable
     {
         JsonElement result = Run(0, "generate", "--list");
 
-        string?[] kinds = [.. result.GetProperty("kinds").EnumerateArray().Select(kind => kind.GetProperty("kind").GetString())];
+        string[] kinds = [.. result.GetProperty("kinds").EnumerateArray().Select(kind => kind.GetProperty("kind").GetString()!)];
         Assert.Equal([.. ShapeCatalog.Shapes.Select(shape => shape.Name)], kinds);
     }
 
