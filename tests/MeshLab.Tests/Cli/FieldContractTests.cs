@@ -40,6 +40,14 @@ public sealed class FieldContractTests : IDisposable
             "topology {mesh} --generators --cut-graph",
             "components[].vertices components[].edges components[].faces components[].eulerCharacteristic components[].boundaryLoops components[].genus generators"
         },
+        { "simplify {closed} {out}.obj --faces 100", "stopReason maxError output.faces" },
+        { "subdivide {mesh} {out}.obj --scheme loop --steps 1", "output.vertices" },
+        { "section {closed} --plane 0,0,1,0.05", "length segments closedLoops openChains area" },
+        {
+            "morse {closed} --function z --persistence 0.01 --complex",
+            "minima saddles maxima indexSum eulerCharacteristic critical[].vertex critical[].kind critical[].multiplicity critical[].value pairs arcs cells"
+        },
+        { "segment {closed} {out}.obj --method k-means --segments 3", "segments labels[] sizes[] objective" },
         { "render {mesh} {out}.png --size 60x40 --values valence --wireframe --view 10,20", "" },
     };
 
@@ -74,7 +82,7 @@ public sealed class FieldContractTests : IDisposable
     {
         string[] tested = [.. Fields.Select(row => ((string)row[0]).Split(' ')[0]).Distinct(StringComparer.Ordinal)];
         // A verb of the contract comes with a row above.
-        string[] contract = ["info", "validate", "convert", "generate", "dual", "values", "rings", "boundary", "cut", "distance", "remesh", "smooth", "topology", "render"];
+        string[] contract = ["info", "validate", "convert", "generate", "dual", "values", "rings", "boundary", "cut", "distance", "remesh", "smooth", "topology", "render", "simplify", "subdivide", "section", "morse", "segment"];
         Assert.Empty(contract.Except(tested, StringComparer.Ordinal));
         Assert.Empty(contract.Except(MlabApp.Verbs.Select(verb => verb.Name), StringComparer.Ordinal));
     }
@@ -187,7 +195,7 @@ public sealed class FieldContractTests : IDisposable
 
     private string[] Arguments(string line) =>
     [
-        .. line.Replace("{mesh}", folder.Save("grid"), StringComparison.Ordinal).Replace("{out}", folder.PathOf("out"), StringComparison.Ordinal).Split(' '),
+        .. line.Replace("{mesh}", folder.Save("grid"), StringComparison.Ordinal).Replace("{closed}", folder.Save("bumpy-sphere"), StringComparison.Ordinal).Replace("{out}", folder.PathOf("out"), StringComparison.Ordinal).Split(' '),
     ];
 
     private static bool Has(JsonElement value, ReadOnlySpan<string> path)
