@@ -81,7 +81,7 @@ public sealed class ShapeVerbsTests : IDisposable
     {
         string input = Path.Combine(folder, "quads.obj"), output = Path.Combine(folder, "fine.obj");
         MeshFile.Write(Polyhedra.Cube(), input);
-        Assert.Equal("usage", Error(2, "subdivide", input, output, "--scheme", "loop"));
+        Assert.Equal("refused", Error(1, "subdivide", input, output, "--scheme", "loop"));
         Assert.Equal("usage", Error(2, "subdivide", input, output, "--scheme", "cubic"));
         Assert.Equal("usage", Error(2, "subdivide", input, output, "--scheme", "sqrt3", "--limit"));
         Assert.Equal("usage", Error(2, "subdivide", input, output, "--scheme", "catmull-clark", "--steps", "-1"));
