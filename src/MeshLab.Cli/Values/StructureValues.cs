@@ -1,3 +1,4 @@
+using MeshLab.Numerics;
 using MeshLab.Structure;
 
 namespace MeshLab.Cli.Values;
@@ -19,6 +20,14 @@ internal static class StructureValues
         foreach (Edge e in mesh.Edges)
             values[e.Index] = e.Length;
         return values;
+    }
+
+    /// <summary>The straight distance from the vertex that --from names; geodesic-edges goes along the surface.</summary>
+    [MeshValue("distance", ElementKind.Vertex)]
+    public static double[] Distance(Mesh mesh, ValueOptions options)
+    {
+        Vector3D from = mesh.Vertices[options.Start(mesh)].Position;
+        return PerVertex(mesh, v => Vector3D.Distance(v.Position, from));
     }
 
     private static double[] PerVertex(Mesh mesh, Func<Vertex, double> value)
