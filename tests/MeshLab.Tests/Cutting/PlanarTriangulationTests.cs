@@ -1,0 +1,119 @@
+using MeshLab.Cutting;
+using MeshLab.Numerics;
+using Xunit;
+
+namespace MeshLab.Tests.Cutting;
+
+[Trait("Section", "6.2")]
+public class PlanarTriangulationTests
+{
+    [Fact]
+    public void Triangulate_SquareWithTwoHolesAndAnIsland_CoversItsArea()
+    {
+        var points = new List<Vector2D>();
+        int[][] loops =
+        [
+            Square(points, 0, 0, 10), [.. Square(points, 1, 1, 3).Reverse()], [.. Square(points, 5, 4, 5).Reverse()], Square(points, 6, 5, 2),
+        ];
+        AssertTriangulation([.. points], loops, 100 - 9 - 25 + 4, triangles: 4 + 8 + 2 * 2 - 2 + 2);
+    }
+
+    [Fact]
+    public void Triangulate_HoleThatTouchesTheOutline_CoversItsArea()
+    {
+        // The hole has the outline's corner point, as a vertex of its own.
+        Vector2D[] points = [new(0, 0), new(4, 0), new(4, 4), new(0, 4), new(0, 0), new(1, 2), new(2, 1)];
+        // What touches may leave triangles without area, or be called unsound; the rim and the signed area are right all the same.
+        var corners = new List<int>();
+        PlanarTriangulation.Triangulate(points, [[0, 1, 2, 3], [4, 5, 6]], corners);
+        AssertEdges([[0, 1, 2, 3], [4, 5, 6]], corners);
+        Assert.Equal(7, corners.Count / 3);
+        Assert.Equal(2 * (16 - 1.5), corners.Chunk(3).Sum(t => Cross(points, t)), 1e-12);
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public void Triangulate_RandomStars_CoverTheirArea(int seed)
+    {
+        var random = new Random(seed);
+        const int n = 400;
+        var points = new Vector2D[2 * n];
+        for (int i = 0; i < n; i++)
+        {
+            (double s, double c) = Math.SinCos(2 * Math.PI * i / n);
+            double outer = 2 + random.NextDouble(), inner = 0.5 + random.NextDouble();
+            points[i] = new(outer * c, outer * s);
+            points[n + i] = new(inner * c, inner * s);
+        }
+        int[] outline = [.. Enumerable.Range(0, n)], hole = [.. Enumerable.Range(n, n).Reverse()];
+        double area = (PlanarPolygons.DoubleArea(points.AsSpan(0, n)) - PlanarPolygons.DoubleArea(points.AsSpan(n, n))) / 2;
+        AssertTriangulation(points, [outline, hole], area, triangles: 2 * n);
+    }
+
+    [Fact]
+    public void Triangulate_ColumnOfPointsOnALine_UsesAllOfThem()
+    {
+        Vector2D[] points = [new(0, 0), new(1, 0), new(2, 0), new(3, 0), new(3, 1), new(2, 1), new(1, 1), new(0, 1)];
+        AssertTriangulation(points, [[0, 1, 2, 3, 4, 5, 6, 7]], 3, triangles: 6);
+    }
+
+    [Fact]
+    public void Triangulate_OutlineThatCrossesItself_SaysSoAndKeepsTheSignedArea()
+    {
+        Vector2D[] points = [new(0, 0), new(4, 3), new(4, 0), new(0, 2)];
+        var corners = new List<int>();
+        PlanarTriangulation.Triangulate(points, [[0, 1, 2, 3]], corners);
+        Assert.Equal(PlanarPolygons.DoubleArea(points), corners.Chunk(3).Sum(t => Cross(points, t)), 1e-12);
+        Assert.Equal(6, corners.Count);
+    }
+
+    [Fact]
+    public void Contains_PointsBesideVertices_IsExact()
+    {
+        Vector2D[] diamond = [new(1, 0), new(2, 1), new(1, 2), new(0, 1)];
+        Assert.True(PlanarPolygons.Contains(diamond, new(1, 1)));
+        Assert.False(PlanarPolygons.Contains(diamond, new(-1, 1)));
+        Assert.False(PlanarPolygons.Contains(diamond, new(3, 1)));
+        Assert.False(PlanarPolygons.Contains(diamond, new(0, 0)));
+    }
+
+    private static void AssertTriangulation(Vector2D[] points, int[][] loops, double area, int triangles)
+    {
+        var corners = new List<int>();
+        Assert.True(PlanarTriangulation.Triangulate(points, loops, corners));
+        Assert.Equal(triangles, corners.Count / 3);
+        double[] areas = [.. corners.Chunk(3).Select(t => Cross(points, t) / 2)];
+        Assert.All(areas, a => Assert.True(a >= 0));
+        Assert.Equal(area, areas.Sum(), 1e-12 * area);
+        AssertEdges(loops, corners);
+    }
+
+    private static void AssertEdges(int[][] loops, List<int> corners)
+    {
+        // Every edge of a loop once, every other edge in both directions.
+        var edges = new HashSet<(int, int)>();
+        foreach (int[] t in corners.Chunk(3))
+        {
+            for (int k = 0; k < 3; k++)
+                Assert.True(edges.Add((t[k], t[(k + 1) % 3])));
+        }
+        foreach (int[] loop in loops)
+        {
+            for (int i = 0; i < loop.Length; i++)
+                Assert.True(edges.Remove((loop[i], loop[(i + 1) % loop.Length])));
+        }
+        Assert.All(edges, e => Assert.Contains((e.Item2, e.Item1), edges));
+    }
+
+    private static double Cross(Vector2D[] points, int[] t) => Vector2D.Cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+
+    private static int[] Square(List<Vector2D> points, double x, double y, double side)
+    {
+        int first = points.Count;
+        points.AddRange([new(x, y), new(x + side, y), new(x + side, y + side), new(x, y + side)]);
+        return [first, first + 1, first + 2, first + 3];
+    }
+}
