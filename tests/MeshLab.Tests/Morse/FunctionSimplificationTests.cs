@@ -36,6 +36,25 @@ public class FunctionSimplificationTests
         Assert.Equal((1, 2, 1), (critical.Minima.Count, critical.SaddleCount, critical.Maxima.Count));
     }
 
+    [Theory]
+    [InlineData("torus")]
+    [InlineData("genus-2")]
+    [InlineData("bumpy-sphere")]
+    public void Simplify_NoiseOnAClosedSurface_KeepsExactlyThePersistentMaxima(string model)
+    {
+        MorseFunction function = MorseCase.Noise(Models.Create(model), 17);
+        PersistencePairs before = PersistencePairs.Of(function);
+        HashSet<Vertex> kept =
+        [
+            .. before.EssentialMaxima,
+            .. before.Pairs.Where(p => p.Kind == PairKind.SaddleMaximum && p.Persistence > 0.3).Select(p => p.Death),
+        ];
+
+        CriticalPoints after = CriticalPoints.Of(FunctionSimplification.Simplify(function, 0.3).Function);
+
+        Assert.True(kept.SetEquals(after.Maxima), "other maxima than the persistent ones");
+    }
+
     private static void Check(MorseFunction function, double threshold)
     {
         PersistencePairs before = PersistencePairs.Of(function);
