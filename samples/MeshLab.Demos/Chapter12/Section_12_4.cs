@@ -31,10 +31,21 @@ public static class Section_12_4
             Legend = false,
             Polylines = [.. complex.Arcs.Select(arc => new Polyline(complex.Polyline(arc), arc.IsAscending ? Up : Down))],
         });
+        output.Picture("steepest paths on mesh edges, and where they cross", mesh, new RenderOptions
+        {
+            Polylines =
+            [
+                .. paths.Descending.Select(path => new Polyline(Positions(mesh, path), Down, 1.5)),
+                .. paths.Ascending.Select(path => new Polyline(Positions(mesh, path), Up, 1.5)),
+            ],
+            Points = [new PointMarks(Positions(mesh, paths.Crossings), Color.Black, 12)],
+        });
         output.Picture("ascending manifolds of the minima", mesh, new RenderOptions
         {
             Coloring = Coloring.VertexLabels([.. complex.MinimumOf], "minimum"),
             Legend = false,
         });
     }
+
+    private static Vector3D[] Positions(Mesh mesh, IEnumerable<int> vertices) => [.. vertices.Select(v => mesh.Vertices[v].Position)];
 }

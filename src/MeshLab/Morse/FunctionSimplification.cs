@@ -36,8 +36,10 @@ public static class FunctionSimplification
 
         double[] values = [.. function.Data];
         int floods = 0;
-        while (floods < MostFloods)
+        while (true)
         {
+            if (floods == MostFloods)
+                throw new InvalidOperationException($"The function is not simple after {floods} floods.");
             if (!OnlyKeptAreMinimal(mesh, rank, keptMinima, sign: 1))
                 rank = Flood(mesh, values, rank, keptMinima, sign: 1);
             else if (!OnlyKeptAreMinimal(mesh, rank, keptMaxima, sign: -1))
