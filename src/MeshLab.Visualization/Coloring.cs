@@ -74,7 +74,7 @@ public sealed record Coloring
     /// <summary>How many lines of equal value are drawn over a per-vertex scalar; 0 for none.</summary>
     public int Isolines { get; private init; }
 
-    /// <summary>The legend of a label kind; empty for one that is made of the labels themselves.</summary>
+    /// <summary>The legend of a label or colour kind; empty for one that is made of the labels themselves.</summary>
     public IReadOnlyList<LegendEntry> Entries { get; private init; } = [];
 
     internal Func<int, Color> LabelColor { get; private init; } = Palette.Categorical;
@@ -119,19 +119,17 @@ public sealed record Coloring
 
     /// <summary>A colour per vertex, interpolated between them.</summary>
     /// <param name="colors">By vertex index.</param>
-    public static Coloring VertexColors(IReadOnlyList<Color> colors)
-    {
-        ArgumentNullException.ThrowIfNull(colors);
-        return new(ColoringKind.VertexColors) { Colors = colors };
-    }
+    /// <param name="title">The legend's title; without one there is no legend.</param>
+    /// <param name="entries">The legend.</param>
+    public static Coloring VertexColors(IReadOnlyList<Color> colors, string title = "", IReadOnlyList<LegendEntry>? entries = null) =>
+        Coloured(ColoringKind.VertexColors, colors, title, entries);
 
     /// <summary>A colour per face.</summary>
     /// <param name="colors">By face index.</param>
-    public static Coloring FaceColors(IReadOnlyList<Color> colors)
-    {
-        ArgumentNullException.ThrowIfNull(colors);
-        return new(ColoringKind.FaceColors) { Colors = colors };
-    }
+    /// <param name="title">The legend's title; without one there is no legend.</param>
+    /// <param name="entries">The legend.</param>
+    public static Coloring FaceColors(IReadOnlyList<Color> colors, string title = "", IReadOnlyList<LegendEntry>? entries = null) =>
+        Coloured(ColoringKind.FaceColors, colors, title, entries);
 
     /// <summary>
     /// The valence (度数) of each vertex: near white where it is regular (6 in a triangle mesh, else 4), bluer below, redder above.
@@ -257,6 +255,13 @@ public sealed record Coloring
         ArgumentNullException.ThrowIfNull(labels);
         ArgumentNullException.ThrowIfNull(title);
         return new(kind) { Labels = labels, Title = title, Entries = entries ?? [], LabelColor = color };
+    }
+
+    private static Coloring Coloured(ColoringKind kind, IReadOnlyList<Color> colors, string title, IReadOnlyList<LegendEntry>? entries)
+    {
+        ArgumentNullException.ThrowIfNull(colors);
+        ArgumentNullException.ThrowIfNull(title);
+        return new(kind) { Colors = colors, Title = title, Entries = entries ?? [] };
     }
 
     private double[] FiniteValues() => (Values ?? []).Where(double.IsFinite).ToArray();

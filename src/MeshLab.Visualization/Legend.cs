@@ -51,7 +51,7 @@ public static class Legend
     }
 
     /// <summary>The named colours of a coloring: those given, or one for each label that occurs, ascending.</summary>
-    internal static IReadOnlyList<LegendEntry> Entries(Coloring coloring)
+    internal static IReadOnlyList<LegendEntry> Entries(Coloring coloring, int most = MaxEntries)
     {
         IReadOnlyList<LegendEntry> entries = coloring.Entries;
         if (entries.Count == 0 && coloring.Labels is { } labels)
@@ -59,10 +59,10 @@ public static class Legend
             entries = [.. labels.Distinct().Order().Select(label =>
                 new LegendEntry(label < 0 ? "none" : label.ToString(CultureInfo.InvariantCulture), coloring.LabelColor(label)))];
         }
-        if (entries.Count <= MaxEntries)
+        if (entries.Count <= most)
             return entries;
-        string more = string.Create(CultureInfo.InvariantCulture, $"… {entries.Count - MaxEntries + 1} more");
-        return [.. entries.Take(MaxEntries - 1), new LegendEntry(more.Replace("…", "...", StringComparison.Ordinal), new Color(0, 0, 0, 0))];
+        string more = string.Create(CultureInfo.InvariantCulture, $"… {entries.Count - most + 1} more");
+        return [.. entries.Take(most - 1), new LegendEntry(more.Replace("…", "...", StringComparison.Ordinal), new Color(0, 0, 0, 0))];
     }
 
     internal static string Title(Coloring coloring) => coloring.Unit.Length == 0 ? coloring.Title : $"{coloring.Title} [{coloring.Unit}]";
@@ -101,7 +101,7 @@ public static class Legend
     private static void DrawEntries(Image image, Coloring coloring, int x)
     {
         const int line = 23;
-        IReadOnlyList<LegendEntry> entries = Entries(coloring);
+        IReadOnlyList<LegendEntry> entries = Entries(coloring, Math.Clamp((image.Height - 60) / line, 2, MaxEntries));
         int top = Math.Max(34, (image.Height - entries.Count * line) / 2);
         image.DrawText(Title(coloring), x, top - 14, FontSize, Ink);
         for (int i = 0; i < entries.Count; i++)

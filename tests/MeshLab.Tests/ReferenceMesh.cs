@@ -24,17 +24,22 @@ internal static class ReferenceMesh
     public static int[] EdgesInOrder(Mesh mesh) =>
         [.. mesh.Edges.OrderBy(e => Math.Min(e.Vertex0.Index, e.Vertex1.Index)).ThenBy(e => Math.Max(e.Vertex0.Index, e.Vertex1.Index)).Select(e => e.Index)];
 
-    /// <summary>Compares values with an array of <c>core.json</c>: all of them if stored, else the sample; and the sum.</summary>
+    /// <summary>Compares values with an array of <c>core.json</c>: all of them if stored, else the sample; and if all are compared the least, the largest, and the sum.</summary>
     /// <param name="name">The model.</param>
     /// <param name="array">The name of the array.</param>
     /// <param name="values">In reference order; <paramref name="width"/> per element.</param>
-    /// <param name="tolerance">Relative to the largest value or to the element, whichever is larger.</param>
+    /// <param name="tolerance">Relative to the element; on top of it 1e-13 of the largest, for what is left of it where terms cancel.</param>
     /// <param name="compare">Which elements are compared; all if null.</param>
     /// <param name="width">Values per element.</param>
-    public static void Compare(string name, string array, double[] values, double tolerance = 1e-9, Func<int, bool>? compare = null, int width = 1)
+    /// <param name="slack">By how much more an element may differ; by nothing if null.</param>
+    public static void Compare(
+        string name, string array, double[] values, double tolerance = 1e-9, Func<int, bool>? compare = null, int width = 1, Func<int, double>? slack = null)
     {
-        JsonElement stored = ReferenceData.Json(name, "core").RootElement.GetProperty("arrays").GetProperty(array);
-        Assert.Equal(stored.GetProperty("stats").GetProperty("n").GetInt32(), values.Length / width);
+        JsonElement stored = ReferenceData.Json(name, "core").RootElement.GetProperty("arrays").GetProperty(array), stats = stored.GetProperty("stats");
+        Assert.Equal(stats.GetProperty("n").GetInt32(), values.Length / width);
+        double rounding = 1e-13 * values.Where(double.IsFinite).Select(Math.Abs).DefaultIfEmpty().Max();
+        if (compare is null)
+            CompareStatistics(stats);
         if (stored.TryGetProperty("sample_index", out JsonElement sampled))
         {
             double[] index = ReferenceData.Numbers(sampled), sample = ReferenceData.Numbers(stored.GetProperty("sample"));
@@ -50,13 +55,35 @@ internal static class ReferenceMesh
         {
             if (compare is not null && !compare(element))
                 return;
+            double size = 0;
+            foreach (double e in expected)
+                size = Math.Max(size, Math.Abs(e));
+            double bound = (tolerance * size) + rounding + (slack?.Invoke(element) ?? 0);
             for (int k = 0; k < width; k++)
             {
                 double actual = values[(element * width) + k];
-                double bound = tolerance * Math.Max(1, Math.Abs(expected[k]));
                 Assert.True(
                     Math.Abs(actual - expected[k]) <= bound || (double.IsNaN(actual) && double.IsNaN(expected[k])),
                     $"{name}.{array}[{element}][{k}]: {actual:R}, expected {expected[k]:R}.");
+            }
+        }
+
+        void CompareStatistics(JsonElement stats)
+        {
+            for (int k = 0; k < width; k++)
+            {
+                double[] column = [.. values.Where((value, i) => i % width == k && double.IsFinite(value))];
+                double added = column.Sum(Math.Abs);
+                Near("min", column.Min(), tolerance * Math.Abs(column.Min()));
+                Near("max", column.Max(), tolerance * Math.Abs(column.Max()));
+                Near("sum", column.Sum(), tolerance * added);
+
+                void Near(string statistic, double actual, double bound)
+                {
+                    JsonElement found = stats.GetProperty(statistic);
+                    double expected = ReferenceData.Number(found.ValueKind == JsonValueKind.Array ? found[k] : found);
+                    Assert.True(Math.Abs(actual - expected) <= bound + rounding, $"{name}.{array}, {statistic}: {actual:R}, expected {expected:R}.");
+                }
             }
         }
     }

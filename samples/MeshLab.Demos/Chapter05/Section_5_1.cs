@@ -11,23 +11,24 @@ public static class Section_5_1
 {
     public static void Run(Mesh mesh, DemoOutput output)
     {
-        Vertex v = mesh.Vertices.First(vertex => !vertex.IsIsolated);
+        Vertex v = Closeup.InnerVertex(mesh);
         output.Table(
             $"around {v}",
             ("ring vertices", string.Join(" ", v.RingVertices)),
             ("spoke edges", string.Join(" ", v.SpokeEdges)),
             ("link edges", string.Join(" ", v.LinkEdges)),
             ("faces", string.Join(" ", v.IncidentFaces)));
+        Closeup.Show(output, "spokes blue, link red", v.AsGroup(), 2, [("incident", v.IncidentFaces)], (Closeup.Blue, v.SpokeEdges), (Closeup.Red, v.LinkEdges));
 
         var distance = new int[mesh.VertexSlots];
         Array.Fill(distance, -1);
-        for (int k = 0; k <= 8; k++)
+        const int Rings = 8;
+        output.Table("k-rings", ["k", "vertices at k edges", "within k edges"], Enumerable.Range(0, Rings + 1).Select(k =>
         {
-            Vertex[] ring = v.Ring(k);
-            output.Line($"{ring.Length} vertices at {k} edges");
-            foreach (Vertex w in ring)
+            foreach (Vertex w in v.Ring(k))
                 distance[w.Index] = k;
-        }
-        output.Picture("k-rings", mesh, Coloring.VertexLabels(distance, "edges away"));
+            return new object[] { k, v.Ring(k).Length, v.Disk(k).Length };
+        }));
+        output.Picture("k-rings", mesh, Coloring.VertexLabels(distance, "edges away", color: k => k < 0 ? ColorMap.NotANumber : ColorMap.Viridis.Sample((double)k / Rings)));
     }
 }

@@ -1,32 +1,32 @@
+using MeshLab.Cutting;
 using MeshLab.Demos.Hosting;
-using MeshLab.Geometry;
 using MeshLab.Neighborhoods;
-using MeshLab.Numerics;
 using MeshLab.Structure;
 using MeshLab.Visualization;
 
 namespace MeshLab.Demos.Chapter05;
 
-/// <summary>§5.6 网格边界 and §5.7 选中边划分的区域: the boundary loops, and the regions that sharp edges cut out.</summary>
-[Demo("5.6", "网格边界与区域", "Boundary loops and regions")]
+/// <summary>§5.6 网格边界: all boundary loops, in order, with their lengths. A closed model gets two holes first.</summary>
+[Demo("5.6", "网格边界", "The boundary of the mesh")]
 public static class Section_5_6
 {
     public static void Run(Mesh mesh, DemoOutput output)
     {
+        if (mesh.IsClosed)
+        {
+            output.Line($"The model is closed: two patches are taken out.");
+            mesh.Detach(mesh.Group(mesh.Vertices.MaxBy(v => v.Position.Z).Disk(4)).Faces);
+            mesh.Detach(mesh.Group(mesh.Vertices.Where(v => !v.IsIsolated).MinBy(v => v.Position.Y).Disk(5)).Faces);
+            mesh.Compact();
+        }
         IReadOnlyList<BoundaryLoop> loops = mesh.FindBoundaryLoops();
         output.Table(
-            "boundary loops",
+            $"{loops.Count} boundary loops",
             ["first vertex", "edges", "length"],
             loops.Take(20).Select(loop => new object[] { loop.Vertices[0], loop.Count, loop.Length }));
-
-        double[] angles = mesh.ComputeDihedralAngles();
-        bool[] isSharp = [.. angles.Select(angle => Math.Abs(angle) > 30 * Math.PI / 180)];
-        FaceRegions regions = mesh.FindRegions(isSharp);
-        output.Line($"{isSharp.Count(sharp => sharp)} edges bend by more than 30°; they cut out {regions.Count} regions.");
-        output.Picture("regions", mesh, new RenderOptions
+        output.Picture("boundary loops", mesh, new RenderOptions
         {
-            Coloring = Coloring.FaceLabels(regions.Labels),
-            HighlightedEdges = [new([.. mesh.BoundaryEdges.Select(e => e.Index)], new Color(0.8f, 0.1f, 0.1f))],
+            Polylines = [.. loops.Select((loop, i) => new Polyline([.. loop.Vertices.Select(v => v.Position)], Palette.Categorical(i), 5) { Closed = true, HiddenOpacity = 0.3 })],
         });
     }
 }

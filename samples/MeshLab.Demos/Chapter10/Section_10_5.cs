@@ -1,34 +1,38 @@
 using MeshLab.Demos.Hosting;
 using MeshLab.Geometry;
+using MeshLab.Numerics;
 using MeshLab.Structure;
 using MeshLab.Visualization;
 
 namespace MeshLab.Demos.Chapter10;
 
-/// <summary>§10.5 二面角 and §10.6 角度: dihedral angles with sign, corner angles, the shape of triangles.</summary>
-[Demo("10.5", "二面角与角度", "Dihedral angles, corner angles, quality")]
+/// <summary>§10.5 二面角: how much the surface bends at an edge; positive where it is convex.</summary>
+[Demo("10.5", "二面角", "Dihedral angles")]
 public static class Section_10_5
 {
+    private const double Sharp = 30;
+
     public static void Run(Mesh mesh, DemoOutput output)
     {
-        Mesh triangles = mesh.IsTriangleMesh ? mesh : Triangulation.Triangulate(mesh).Mesh;
-        double[] dihedrals = [.. triangles.ComputeDihedralAngles().Where(double.IsFinite).Select(Degrees)];
-        double[] corners = [.. triangles.ComputeCornerAngles().Where(double.IsFinite).Select(Degrees)];
-        double[] quality = triangles.ComputeFaceQualities();
+        double[] angles = [.. mesh.ComputeDihedralAngles().Select(a => a * 180 / Math.PI)], inner = [.. angles.Where(double.IsFinite)];
         output.Table(
-            "angles in degrees",
-            ["", "min", "mean", "max"],
-            [Row("dihedral", dihedrals), Row("corner", corners), Row("quality 4√3 A / Σ l²", quality)]);
-        output.Svg("dihedral angles", SvgChart.Histogram("dihedral angles, convex positive", dihedrals, 40, "degrees").ToSvg());
-        output.Svg("corner angles", SvgChart.Histogram("corner angles", corners, 36, "degrees").ToSvg());
-        output.Picture("quality", triangles, Coloring.FaceScalars(quality, title: "quality").WithRange(0, 1));
-    }
+            "dihedral angles in degrees",
+            ("inner edges", inner.Length),
+            ("convex", inner.Count(a => a > 0)),
+            ("concave", inner.Count(a => a < 0)),
+            ("sharpest convex", inner.Max()),
+            ("sharpest concave", inner.Min()),
+            ("mean, unsigned", inner.Average(Math.Abs)),
+            ($"above {Sharp}", inner.Count(a => Math.Abs(a) > Sharp)));
+        output.Svg("dihedral angles", SvgChart.Histogram("dihedral angles, convex positive", inner, 40, "degrees").ToSvg());
 
-    private static object[] Row(string name, double[] values)
-    {
-        ValueRange range = ValueRange.Of(values);
-        return [name, range.Min, range.Mean, range.Max];
-    }
+        (Color convex, Color concave) = (Palette.Categorical(1), Palette.Categorical(0));
+        output.Picture("sharp edges", mesh, new RenderOptions
+        {
+            Coloring = Coloring.FaceColors(Enumerable.Repeat(Coloring.Default.Color, mesh.FaceSlots).ToArray(), $"above {Sharp} degrees", [new("convex", convex), new("concave", concave)]),
+            HighlightedEdges = [Marks(a => a > Sharp, convex), Marks(a => a < -Sharp, concave)],
+        });
 
-    private static double Degrees(double radians) => radians * 180 / Math.PI;
+        EdgeMarks Marks(Func<double, bool> which, Color color) => new([.. mesh.Edges.Where(e => which(angles[e.Index])).Select(e => e.Index)], color);
+    }
 }

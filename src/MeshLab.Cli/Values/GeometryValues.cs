@@ -1,5 +1,6 @@
 using MeshLab.Curvature;
 using MeshLab.Geometry;
+using MeshLab.LinearAlgebra;
 using MeshLab.Neighborhoods;
 using MeshLab.Numerics;
 using MeshLab.Structure;
@@ -9,19 +10,16 @@ namespace MeshLab.Cli.Values;
 /// <summary>Values of chapter 10: areas, normals, angles, curvatures. Vertices without faces have none.</summary>
 internal static class GeometryValues
 {
-    /// <summary>Regions are cut out by edges that bend by more than this.</summary>
-    private const double SharpAngle = 30 * Math.PI / 180;
-
-    [MeshValue("normal-uniform", ElementKind.Vertex)]
+    [MeshValue("normal-uniform", ElementKind.Vertex, Signed = true)]
     public static Vector3D[] NormalUniform(Mesh mesh, ValueOptions options) => Normals(mesh, VertexNormalWeight.Uniform);
 
-    [MeshValue("normal-area", ElementKind.Vertex)]
+    [MeshValue("normal-area", ElementKind.Vertex, Signed = true)]
     public static Vector3D[] NormalArea(Mesh mesh, ValueOptions options) => Normals(mesh, VertexNormalWeight.Area);
 
-    [MeshValue("normal-angle", ElementKind.Vertex)]
+    [MeshValue("normal-angle", ElementKind.Vertex, Signed = true)]
     public static Vector3D[] NormalAngle(Mesh mesh, ValueOptions options) => Normals(mesh, VertexNormalWeight.Angle);
 
-    [MeshValue("normal-max", ElementKind.Vertex)]
+    [MeshValue("normal-max", ElementKind.Vertex, Signed = true)]
     public static Vector3D[] NormalMax(Mesh mesh, ValueOptions options) => Normals(mesh, VertexNormalWeight.InscribedSphere);
 
     [MeshValue("mixed-area", ElementKind.Vertex)]
@@ -42,6 +40,10 @@ internal static class GeometryValues
     [MeshValue("mean", ElementKind.Vertex, Signed = true)]
     public static double[] Mean(Mesh mesh, ValueOptions options) => mesh.ComputeMeanCurvature();
 
+    /// <summary>The mean curvature from the bending of the edges.</summary>
+    [MeshValue("mean-bending", ElementKind.Vertex, Signed = true)]
+    public static double[] MeanBending(Mesh mesh, ValueOptions options) => mesh.ComputeBendingCurvature();
+
     [MeshValue("k1", ElementKind.Vertex, Signed = true)]
     public static double[] K1(Mesh mesh, ValueOptions options) => mesh.ComputePrincipalCurvatures(PrincipalCurvatureMethod.MeanAndGaussian).Max;
 
@@ -54,10 +56,10 @@ internal static class GeometryValues
     [MeshValue("k2-tensor", ElementKind.Vertex, Signed = true)]
     public static double[] K2Tensor(Mesh mesh, ValueOptions options) => TensorAveraging.Compute(mesh).Min;
 
-    [MeshValue("direction1", ElementKind.Vertex)]
+    [MeshValue("direction1", ElementKind.Vertex, IsAxis = true)]
     public static Vector3D[] Direction1(Mesh mesh, ValueOptions options) => OfUsed(mesh, TensorAveraging.Compute(mesh).MaxDirection);
 
-    [MeshValue("direction2", ElementKind.Vertex)]
+    [MeshValue("direction2", ElementKind.Vertex, IsAxis = true)]
     public static Vector3D[] Direction2(Mesh mesh, ValueOptions options) => OfUsed(mesh, TensorAveraging.Compute(mesh).MinDirection);
 
     [MeshValue("k1-jet", ElementKind.Vertex, Signed = true)]
@@ -71,25 +73,12 @@ internal static class GeometryValues
 
     /// <summary>Half the sum of the cotangents opposite an edge.</summary>
     [MeshValue("cotangent", ElementKind.Edge, Signed = true)]
-    public static double[] Cotangent(Mesh mesh, ValueOptions options)
-    {
-        var weights = new double[mesh.EdgeSlots];
-        foreach (Face f in mesh.Faces)
-        {
-            double doubleArea = 2 * f.Triangle.Area;
-            foreach (HalfEdge h in f.HalfEdges)
-            {
-                Vector3D apex = h.Next.Target.Position;
-                weights[h.Edge.Index] += Vector3D.Dot(h.Source.Position - apex, h.Target.Position - apex) / (2 * doubleArea);
-            }
-        }
-        return weights;
-    }
+    public static double[] Cotangent(Mesh mesh, ValueOptions options) => mesh.ComputeCotangentWeights();
 
     [MeshValue("area", ElementKind.Face)]
     public static double[] Area(Mesh mesh, ValueOptions options) => mesh.ComputeFaceAreas();
 
-    [MeshValue("normal", ElementKind.Face)]
+    [MeshValue("normal", ElementKind.Face, Signed = true)]
     public static Vector3D[] Normal(Mesh mesh, ValueOptions options) => mesh.ComputeFaceNormals();
 
     [MeshValue("barycenter", ElementKind.Face)]
@@ -107,12 +96,12 @@ internal static class GeometryValues
     [MeshValue("quality", ElementKind.Face)]
     public static double[] Quality(Mesh mesh, ValueOptions options) => mesh.ComputeFaceQualities();
 
-    /// <summary>Faces joined across edges that bend by at most 30°.</summary>
-    [MeshValue("region", ElementKind.Face)]
+    /// <summary>Faces joined across edges that bend by at most the sharp angle.</summary>
+    [MeshValue("region", ElementKind.Face, IsLabel = true)]
     public static double[] Region(Mesh mesh, ValueOptions options)
     {
         double[] angles = mesh.ComputeDihedralAngles();
-        FaceRegions regions = mesh.FindRegions(Array.ConvertAll(angles, angle => Math.Abs(angle) > SharpAngle));
+        FaceRegions regions = mesh.FindRegions(Array.ConvertAll(angles, angle => Math.Abs(angle) > options.SharpAngle));
         return Array.ConvertAll(regions.Labels, label => (double)label);
     }
 

@@ -8,9 +8,9 @@ namespace MeshLab.Cli.Values;
 /// <summary>What a value may depend on beside the mesh.</summary>
 /// <param name="From">The vertex that distances start from; −1 if not given.</param>
 /// <param name="Fixed">Vertices with given values, for harmonic functions; empty if not given.</param>
-internal sealed record ValueOptions(int From, IReadOnlyList<(int Vertex, double Value)> Fixed)
+/// <param name="SharpAngle">Edges that bend by more than this bound regions (radians).</param>
+internal sealed record ValueOptions(int From, IReadOnlyList<(int Vertex, double Value)> Fixed, double SharpAngle)
 {
-    public static ValueOptions None { get; } = new(-1, []);
 
     /// <summary>The start of distances: the option's, else the first live vertex with edges.</summary>
     public int Start(Mesh mesh)

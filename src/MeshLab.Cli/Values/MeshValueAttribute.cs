@@ -19,4 +19,10 @@ internal sealed class MeshValueAttribute(string name, ElementKind kind) : Attrib
 
     /// <summary>Whether 0 is the middle of the colours.</summary>
     public bool Signed { get; init; }
+
+    /// <summary>Whether the numbers are names without order: each gets a colour of its own.</summary>
+    public bool IsLabel { get; init; }
+
+    /// <summary>Of vectors: whether they mean a line, so that v and −v are the same.</summary>
+    public bool IsAxis { get; init; }
 }

@@ -30,6 +30,11 @@ internal static class SolverValues
         return distances;
     }
 
+    /// <summary>Distances over the surface by the heat method; geodesic-edges goes along the edges.</summary>
+    [MeshValue("geodesic-heat", ElementKind.Vertex)]
+    public static double[] HeatDistances(Mesh mesh, ValueOptions options) =>
+        new HeatGeodesics(mesh).ComputeDistances(mesh.Vertices[options.Start(mesh)]);
+
     private static Vertex VertexAt(Mesh mesh, int index) => index < mesh.VertexSlots && !mesh.IsDeletedVertex(index)
         ? mesh.Vertices[index]
         : throw new UsageException($"--fixed {index}: the mesh has vertices 0 to {mesh.VertexSlots - 1}");

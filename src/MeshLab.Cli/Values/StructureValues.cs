@@ -6,10 +6,10 @@ namespace MeshLab.Cli.Values;
 /// <summary>Values that the structure alone knows.</summary>
 internal static class StructureValues
 {
-    [MeshValue("valence", ElementKind.Vertex)]
+    [MeshValue("valence", ElementKind.Vertex, IsLabel = true)]
     public static double[] Valence(Mesh mesh, ValueOptions options) => PerVertex(mesh, v => v.Valence);
 
-    [MeshValue("boundary", ElementKind.Vertex)]
+    [MeshValue("boundary", ElementKind.Vertex, IsLabel = true)]
     public static double[] Boundary(Mesh mesh, ValueOptions options) => PerVertex(mesh, v => v.IsBoundary ? 1 : 0);
 
     [MeshValue("length", ElementKind.Edge)]

@@ -11,7 +11,20 @@ internal static class ValueArguments
 
     public static readonly Option<string?> Fixed = new("--fixed") { Description = "Vertices with given values for a harmonic function: i=v,j=w." };
 
-    public static ValueOptions Parse(VerbContext context) => new(context.Get(From), ParseFixed(context.Get(Fixed)));
+    public static readonly Option<double> Angle = new("--angle")
+    {
+        Description = "Regions: edges with a larger dihedral angle are sharp (degrees).",
+        DefaultValueFactory = _ => 30,
+    };
+
+    public static ValueOptions Parse(VerbContext context) => new(context.Get(From), ParseFixed(context.Get(Fixed)), ParseAngle(context));
+
+    /// <summary>The sharp angle in radians.</summary>
+    public static double ParseAngle(VerbContext context)
+    {
+        double degrees = context.Get(Angle);
+        return degrees is >= 0 and <= 180 ? degrees * Math.PI / 180 : throw new UsageException("--angle must be between 0 and 180");
+    }
 
     /// <summary>Reads <c>i=v,j=w</c>.</summary>
     public static IReadOnlyList<(int Vertex, double Value)> ParseFixed(string? text)

@@ -12,7 +12,7 @@ internal sealed class RenderVerb : Verb
     private readonly Argument<string> input = InputArgument();
     private readonly Argument<string> output = new("OUTPUT") { Description = "The picture to write (.png)." };
     private readonly Option<string> size = new("--size") { Description = "Width and height in pixels, as 900x700.", DefaultValueFactory = _ => "900x700" };
-    private readonly Option<string?> values = new("--values") { Description = "Paint a value: any name of 'values --of' with one component." };
+    private readonly Option<string?> values = new("--values") { Description = "Paint a value: any name of 'values --of'." };
     private readonly Option<bool> wireframe = new("--wireframe") { Description = "Draw the edges." };
     private readonly Option<bool> flat = new("--flat") { Description = "Flat faces instead of a smooth surface." };
     private readonly Option<string> view = new("--view") { Description = "Azimuth and elevation in degrees.", DefaultValueFactory = _ => "30,20" };
@@ -31,7 +31,7 @@ internal sealed class RenderVerb : Verb
         command.Arguments.Add(output);
         up.AcceptOnlyFromAmong("y", "z");
         values.CompletionSources.Add([.. MeshValue.All.Keys]);
-        foreach (Option option in new Option[] { size, values, wireframe, flat, view, up, labels, ValueArguments.From, ValueArguments.Fixed })
+        foreach (Option option in new Option[] { size, values, wireframe, flat, view, up, labels, ValueArguments.From, ValueArguments.Fixed, ValueArguments.Angle })
             command.Options.Add(option);
     }
 

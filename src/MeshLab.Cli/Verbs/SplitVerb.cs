@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using MeshLab.Cli.Hosting;
+using MeshLab.Cli.Values;
 using MeshLab.Cutting;
 using MeshLab.Geometry;
 using MeshLab.Structure;
@@ -12,7 +13,6 @@ internal sealed class SplitVerb : Verb
     private readonly Argument<string> input = InputArgument();
     private readonly Argument<string> directory = new("DIR") { Description = "The folder for the parts, made if it is not there." };
     private readonly Option<string> by = new("--by") { Description = "components, or regions between sharp edges.", DefaultValueFactory = _ => "components" };
-    private readonly Option<double> angle = new("--angle") { Description = "Regions: edges with a larger dihedral angle are sharp (degrees).", DefaultValueFactory = _ => 30 };
 
     public override string Name => "split";
 
@@ -26,16 +26,14 @@ internal sealed class SplitVerb : Verb
         command.Arguments.Add(input);
         command.Arguments.Add(directory);
         command.Options.Add(by);
-        command.Options.Add(angle);
+        command.Options.Add(ValueArguments.Angle);
     }
 
     public override void Run(VerbContext context)
     {
-        double degrees = context.Get(angle);
-        if (!(degrees >= 0 && degrees <= 180))
-            throw new UsageException("--angle must be between 0 and 180");
+        double angle = ValueArguments.ParseAngle(context);
         Mesh mesh = context.ReadMesh(context.Get(input));
-        IReadOnlyList<MeshPart> parts = context.Time(() => context.Get(by) == "regions" ? mesh.SplitRegions(degrees * Math.PI / 180) : mesh.SplitComponents());
+        IReadOnlyList<MeshPart> parts = context.Time(() => context.Get(by) == "regions" ? mesh.SplitRegions(angle) : mesh.SplitComponents());
         Directory.CreateDirectory(context.Get(directory));
         string extension = context.OutputFormat is { } format ? "." + format : ".obj";
         var listed = new List<ResultFields>();

@@ -24,6 +24,7 @@ internal sealed class ValuesVerb : Verb
         command.Options.Add(of);
         command.Options.Add(ValueArguments.From);
         command.Options.Add(ValueArguments.Fixed);
+        command.Options.Add(ValueArguments.Angle);
     }
 
     public override void Run(VerbContext context)

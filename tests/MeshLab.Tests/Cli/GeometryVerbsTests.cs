@@ -2,6 +2,7 @@ using System.Text.Json;
 using MeshLab.Cli.Values;
 using MeshLab.IO;
 using MeshLab.Structure;
+using MeshLab.Visualization;
 using Xunit;
 
 namespace MeshLab.Tests.Cli;
@@ -54,6 +55,54 @@ public sealed class GeometryVerbsTests : IDisposable
             int unused = Models.Create("isolated-vertices").Vertices.Count(v => v.IsIsolated);
             Assert.Equal(unused, result.GetProperty("skipped").GetInt32());
         }
+    }
+
+    [SkippableTheory]
+    [InlineData(20)]
+    [InlineData(30)]
+    [InlineData(60)]
+    public void Values_Region_CutsAtTheGivenAngle(int degrees)
+    {
+        const string Name = "fandisk";
+        JsonElement result = Run(0, "values", ReferenceData.ModelPath(Name), "--of", "region", "--angle", $"{degrees}");
+        int expected = ReferenceData.Json(Name, "extras").RootElement.GetProperty("sharp_edge_regions").GetProperty($"{degrees}_deg").GetProperty("regions").GetInt32();
+        Assert.Equal(expected, ReferenceData.Numbers(result.GetProperty("values")).Distinct().Count());
+    }
+
+    [Fact]
+    public void Values_RegionWithoutAngle_CutsAt30Degrees()
+    {
+        string path = Save(Models.Create("cube"));
+        Assert.Equal(6, ReferenceData.Numbers(Run(0, "values", path, "--of", "region").GetProperty("values")).Distinct().Count());
+        Assert.Single(ReferenceData.Numbers(Run(0, "values", path, "--of", "region", "--angle", "90.1").GetProperty("values")).Distinct());
+        Run(2, "values", path, "--of", "region", "--angle", "181");
+        Run(2, "values", path, "--of", "region", "--angle", "NaN");
+    }
+
+    /// <summary>Scalars, labels and vectors alike, of every kind of element, also on an open mesh with vertices that have no faces.</summary>
+    [Fact]
+    public void ColoringOf_EveryValue_HasALegend()
+    {
+        Mesh mesh = Models.Create("holes");
+        mesh.AddVertex(new(3, 3, 3));
+        foreach (MeshValue value in MeshValue.All.Values)
+        {
+            if (value.Mark.Name == "harmonic")
+                continue;
+            Coloring coloring = ValueColoring.Of(mesh, value, new ValueOptions(-1, [], Math.PI / 6));
+            Assert.Contains(value.Mark.Name, coloring.Title, StringComparison.Ordinal);
+            Assert.True(coloring.Values is not null || coloring.Labels is not null || coloring.Entries.Count is 3 or 6, value.Mark.Name);
+            Image image = MeshRenderer.Render(mesh, new RenderOptions { Coloring = coloring, Width = 120, Height = 90, Supersampling = 1 });
+            Assert.Equal(120, image.Width);
+        }
+    }
+
+    [Fact]
+    public void Render_Normals_WritesAPicture()
+    {
+        string picture = Path.Combine(folder, "normals.png");
+        Run(0, "render", Save(Models.Create("torus")), picture, "--values", "normal-angle", "--size", "60x40");
+        Assert.True(new FileInfo(picture).Length > 100);
     }
 
     [SkippableFact]

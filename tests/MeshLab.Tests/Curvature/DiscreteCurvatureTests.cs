@@ -26,10 +26,13 @@ public class DiscreteCurvatureTests
     public void Mean_SphereInsideOut_IsNegative()
     {
         Mesh mesh = AnalyticSurface.Sphere.Mesh(8);
-        Mesh inside = MeshBuilder.FromTriangles(mesh.Positions, [.. mesh.Faces.SelectMany(f => f.Vertices.Select(v => v.Index).Reverse())]);
+        Mesh inside = InsideOut(mesh);
         Assert.All(mesh.ComputeMeanCurvature(), h => Assert.InRange(h, 0.9, 1.1));
         Assert.All(inside.ComputeMeanCurvature(), h => Assert.InRange(h, -1.1, -0.9));
     }
+
+    private static Mesh InsideOut(Mesh mesh) =>
+        MeshBuilder.FromTriangles(mesh.Positions, [.. mesh.Faces.SelectMany(f => f.Vertices.Select(v => v.Index).Reverse())]);
 
     [Fact]
     public void MeanCurvatureNormal_Sphere_IsTwiceTheNormal()
@@ -60,6 +63,20 @@ public class DiscreteCurvatureTests
             else
                 Assert.True(double.IsNaN(gaussian[v]));
         }
+    }
+
+    [Fact]
+    public void BendingCurvature_Sphere_AddsUpToTheIntegralAndFollowsTheSign()
+    {
+        Mesh mesh = AnalyticSurface.Sphere.Mesh(12);
+        double[] areas = mesh.ComputeBarycentricAreas(), bending = mesh.ComputeBendingCurvature();
+        // The integral is ½ Σ |e| θ over all edges, whatever the vertices are given.
+        double sum = mesh.Edges.Sum(e => 0.5 * e.Length * e.DihedralAngle);
+        Assert.Equal(sum, Enumerable.Range(0, mesh.VertexSlots).Sum(v => bending[v] * areas[v]), 1e-12);
+        Assert.InRange(sum / (4 * Math.PI), 0.98, 1.02);
+        Assert.All(InsideOut(mesh).ComputeBendingCurvature().Zip(bending), pair => Assert.Equal(-pair.Second, pair.First, 1e-12));
+        Assert.All(Models.Create("isolated-vertices").ComputeBendingCurvature().Skip(4), h => Assert.True(double.IsNaN(h)));
+        Assert.Throws<ArgumentException>(() => VolumesTests.Cube().ComputeBendingCurvature());
     }
 
     [Theory]
