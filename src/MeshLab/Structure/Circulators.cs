@@ -11,8 +11,11 @@ public interface ITurn
     /// <summary>The first half-edge around the element, or a negative number if there is none.</summary>
     static abstract int Start(Mesh mesh, int element);
 
+    /// <summary>The column that a step reads.</summary>
+    static abstract int[] Column(Mesh mesh);
+
     /// <summary>The half-edge after this one.</summary>
-    static abstract int Step(Mesh mesh, int halfEdge);
+    static abstract int Step(int[] column, int halfEdge);
 }
 
 /// <summary>What a circulation shows of each half-edge.</summary>
@@ -20,11 +23,14 @@ public interface ITurn
 [EditorBrowsable(EditorBrowsableState.Never)]
 public interface IView<T>
 {
+    /// <summary>The column that the view reads.</summary>
+    static abstract int[] Column(Mesh mesh);
+
     /// <summary>Whether the half-edge has something to show.</summary>
-    static abstract bool Shows(Mesh mesh, int halfEdge);
+    static abstract bool Shows(int[] column, int halfEdge);
 
     /// <summary>The element shown.</summary>
-    static abstract T Of(Mesh mesh, int halfEdge);
+    static abstract T Of(Mesh mesh, int[] column, int halfEdge);
 }
 
 /// <summary>Around a vertex counter-clockwise: h → h.Previous.Twin. At a boundary it starts with the first spoke after the hole.</summary>
@@ -40,7 +46,11 @@ public readonly struct CounterClockwise : ITurn
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Step(Mesh mesh, int halfEdge) => mesh.previous[halfEdge] ^ 1;
+    public static int[] Column(Mesh mesh) => mesh.previous;
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Step(int[] column, int halfEdge) => column[halfEdge] ^ 1;
 }
 
 /// <summary>Around a vertex clockwise: h → h.Twin.Next. At a boundary it starts with the boundary half-edge.</summary>
@@ -52,7 +62,11 @@ public readonly struct Clockwise : ITurn
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Step(Mesh mesh, int halfEdge) => mesh.next[halfEdge ^ 1];
+    public static int[] Column(Mesh mesh) => mesh.next;
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Step(int[] column, int halfEdge) => column[halfEdge ^ 1];
 }
 
 /// <summary>Around a face counter-clockwise: h → h.Next.</summary>
@@ -64,7 +78,11 @@ public readonly struct AroundFace : ITurn
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Step(Mesh mesh, int halfEdge) => mesh.next[halfEdge];
+    public static int[] Column(Mesh mesh) => mesh.next;
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Step(int[] column, int halfEdge) => column[halfEdge];
 }
 
 /// <summary>Around a face clockwise: h → h.Previous, beginning with the half-edge that ends at the first vertex.</summary>
@@ -76,59 +94,83 @@ public readonly struct AroundFaceClockwise : ITurn
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Step(Mesh mesh, int halfEdge) => mesh.previous[halfEdge];
+    public static int[] Column(Mesh mesh) => mesh.previous;
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Step(int[] column, int halfEdge) => column[halfEdge];
 }
 
 /// <summary>Shows the half-edge itself.</summary>
 public readonly struct SelfView : IView<HalfEdge>
 {
     /// <inheritdoc/>
-    public static bool Shows(Mesh mesh, int halfEdge) => true;
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int[] Column(Mesh mesh) => mesh.face;
 
     /// <inheritdoc/>
-    public static HalfEdge Of(Mesh mesh, int halfEdge) => new(mesh, halfEdge);
+    public static bool Shows(int[] column, int halfEdge) => true;
+
+    /// <inheritdoc/>
+    public static HalfEdge Of(Mesh mesh, int[] column, int halfEdge) => new(mesh, halfEdge);
 }
 
 /// <summary>Shows the half-edge's twin.</summary>
 public readonly struct TwinView : IView<HalfEdge>
 {
     /// <inheritdoc/>
-    public static bool Shows(Mesh mesh, int halfEdge) => true;
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int[] Column(Mesh mesh) => mesh.face;
 
     /// <inheritdoc/>
-    public static HalfEdge Of(Mesh mesh, int halfEdge) => new(mesh, halfEdge ^ 1);
+    public static bool Shows(int[] column, int halfEdge) => true;
+
+    /// <inheritdoc/>
+    public static HalfEdge Of(Mesh mesh, int[] column, int halfEdge) => new(mesh, halfEdge ^ 1);
 }
 
 /// <summary>Shows the vertex that the half-edge points to.</summary>
 public readonly struct TargetView : IView<Vertex>
 {
     /// <inheritdoc/>
-    public static bool Shows(Mesh mesh, int halfEdge) => true;
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int[] Column(Mesh mesh) => mesh.target;
+
+    /// <inheritdoc/>
+    public static bool Shows(int[] column, int halfEdge) => true;
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vertex Of(Mesh mesh, int halfEdge) => new(mesh, mesh.target[halfEdge]);
+    public static Vertex Of(Mesh mesh, int[] column, int halfEdge) => new(mesh, column[halfEdge]);
 }
 
 /// <summary>Shows the vertex that the half-edge leaves.</summary>
 public readonly struct SourceView : IView<Vertex>
 {
     /// <inheritdoc/>
-    public static bool Shows(Mesh mesh, int halfEdge) => true;
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int[] Column(Mesh mesh) => mesh.target;
+
+    /// <inheritdoc/>
+    public static bool Shows(int[] column, int halfEdge) => true;
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vertex Of(Mesh mesh, int halfEdge) => new(mesh, mesh.target[halfEdge ^ 1]);
+    public static Vertex Of(Mesh mesh, int[] column, int halfEdge) => new(mesh, column[halfEdge ^ 1]);
 }
 
 /// <summary>Shows the edge.</summary>
 public readonly struct EdgeView : IView<Edge>
 {
     /// <inheritdoc/>
-    public static bool Shows(Mesh mesh, int halfEdge) => true;
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int[] Column(Mesh mesh) => mesh.face;
 
     /// <inheritdoc/>
-    public static Edge Of(Mesh mesh, int halfEdge) => new(mesh, halfEdge >> 1);
+    public static bool Shows(int[] column, int halfEdge) => true;
+
+    /// <inheritdoc/>
+    public static Edge Of(Mesh mesh, int[] column, int halfEdge) => new(mesh, halfEdge >> 1);
 }
 
 /// <summary>Shows the face to the left; passes over boundary half-edges.</summary>
@@ -136,11 +178,15 @@ public readonly struct FaceView : IView<Face>
 {
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Shows(Mesh mesh, int halfEdge) => mesh.face[halfEdge] >= 0;
+    public static int[] Column(Mesh mesh) => mesh.face;
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Face Of(Mesh mesh, int halfEdge) => new(mesh, mesh.face[halfEdge]);
+    public static bool Shows(int[] column, int halfEdge) => column[halfEdge] >= 0;
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Face Of(Mesh mesh, int[] column, int halfEdge) => new(mesh, column[halfEdge]);
 }
 
 /// <summary>Shows the face across the edge; passes over boundary edges.</summary>
@@ -148,11 +194,15 @@ public readonly struct AcrossView : IView<Face>
 {
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Shows(Mesh mesh, int halfEdge) => mesh.face[halfEdge ^ 1] >= 0;
+    public static int[] Column(Mesh mesh) => mesh.face;
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Face Of(Mesh mesh, int halfEdge) => new(mesh, mesh.face[halfEdge ^ 1]);
+    public static bool Shows(int[] column, int halfEdge) => column[halfEdge ^ 1] >= 0;
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Face Of(Mesh mesh, int[] column, int halfEdge) => new(mesh, column[halfEdge ^ 1]);
 }
 
 /// <summary>The elements around a vertex or a face, one after the other, without allocation. Do not edit the mesh while walking.</summary>
@@ -194,49 +244,52 @@ public readonly struct Circulation<T, TTurn, TView> : IEnumerable<T>
     IEnumerator IEnumerable.GetEnumerator() => ((IEnumerable<T>)this).GetEnumerator();
 
     /// <summary>The walk.</summary>
+    /// <remarks>
+    /// One comparison a step: the walk ends where <c>following</c> meets <c>stop</c>, and <c>stop</c> becomes the start with the first step only.
+    /// An isolated vertex starts at −1, where it also stops. The columns are taken once, so they stay in registers.
+    /// </remarks>
     public struct Enumerator
     {
         private readonly Mesh mesh;
+        private readonly int[] steps;
+        private readonly int[] shown;
         private readonly int start;
+        private int stop;
         private int current;
+        private int following;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal Enumerator(Mesh mesh, int start)
         {
             this.mesh = mesh;
             this.start = start;
-            current = -1;
+            steps = TTurn.Column(mesh);
+            shown = TView.Column(mesh);
+            following = start;
+            stop = -1;
         }
 
         /// <summary>The element.</summary>
         public readonly T Current
         {
             [MethodImpl(MethodImplOptions.AggressiveInlining)]
-            get => TView.Of(mesh, current);
+            get => TView.Of(mesh, shown, current);
         }
 
         /// <summary>Goes to the next element, if there is one.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public bool MoveNext()
         {
-            int h = current;
             do
             {
-                if (h < 0)
-                {
-                    h = start;
-                    if (h < 0)
-                        return false;
-                }
-                else
-                {
-                    h = TTurn.Step(mesh, h);
-                    if (h == start)
-                        return false;
-                }
+                int h = following;
+                if (h == stop)
+                    return false;
+                stop = start;
+                following = TTurn.Step(steps, h);
+                current = h;
             }
-            while (!TView.Shows(mesh, h));
-            current = h;
+            while (!TView.Shows(shown, current));
             return true;
         }
     }
