@@ -15,6 +15,7 @@ internal sealed class FiveSixSevenVerb : Verb
     private readonly Option<int> faces = new("--faces") { Description = "The number of faces asked for (the input's by default)." };
     private readonly Option<double> featureAngle = new("--feature-angle") { Description = "Keep edges with a sharper dihedral angle than this (degrees).", DefaultValueFactory = _ => 40 };
     private readonly Option<bool> textbook = new("--textbook") { Description = "The book's engine, step by step." };
+    private readonly Option<string> trace = new("--trace") { Description = "Write the steps to a file, a line of JSON each." };
 
     public override string Name => "five-six-seven";
 
@@ -26,15 +27,17 @@ internal sealed class FiveSixSevenVerb : Verb
     {
         command.Arguments.Add(input);
         command.Arguments.Add(output);
-        foreach (Option option in (Option[])[faces, featureAngle, textbook])
+        foreach (Option option in (Option[])[faces, featureAngle, textbook, trace])
             command.Options.Add(option);
     }
 
     public override void Run(VerbContext context)
     {
         Mesh mesh = context.ReadMesh(context.Get(input));
+        using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
         var options = new FiveSixSevenOptions
         {
+            Trace = lines,
             TargetFaces = context.Has(faces) ? context.Get(faces) : null,
             FeatureAngle = context.Get(featureAngle) * Math.PI / 180,
             Engine = context.Get(textbook) ? FiveSixSevenEngine.Textbook : FiveSixSevenEngine.Repair,
@@ -45,6 +48,12 @@ internal sealed class FiveSixSevenVerb : Verb
 
         context.Result
             .Add("valence", new ResultFields().Add("5", Count(result, 5)).Add("6", Count(result, 6)).Add("7", Count(result, 7)))
+            .Add("stopReason", result.StopReason switch
+            {
+                FiveSixSevenStop.Reached => "reached",
+                FiveSixSevenStop.CountOutOfReach => "count-out-of-reach",
+                _ => "nothing-to-do",
+            })
             .Add("complete", result.IsComplete)
             .Add("faces", result.Mesh.Faces.Count)
             .Add("hausdorff", distance.Hausdorff)

@@ -18,6 +18,7 @@ internal sealed class RemeshVerb : Verb
     private readonly Option<bool> highQuality = new("--high-quality") { Description = "Nearer to the input and rounder, at about twice the time." };
     private readonly Option<double> curvatureTolerance = new("--curvature-tolerance") { Description = "Shorter edges where the surface is curved: chord height as a multiple of the edge length." };
     private readonly Option<bool> laboratory = new("--laboratory") { Description = "The laboratory's four steps, as in the script." };
+    private readonly Option<string> trace = new("--trace") { Description = "Write the steps to a file, a line of JSON each." };
 
     public override string Name => "remesh";
 
@@ -29,14 +30,16 @@ internal sealed class RemeshVerb : Verb
     {
         command.Arguments.Add(input);
         command.Arguments.Add(output);
-        foreach (Option option in (Option[])[edgeLength, relative, iterations, featureAngle, noProjection, highQuality, curvatureTolerance, laboratory])
+        foreach (Option option in (Option[])[edgeLength, relative, iterations, featureAngle, noProjection, highQuality, curvatureTolerance, laboratory, trace])
             command.Options.Add(option);
     }
 
     public override void Run(VerbContext context)
     {
         Mesh mesh = context.ReadMesh(context.Get(input));
-        (Mesh result, double length) = context.Time(() => context.Get(laboratory) ? InLaboratory(mesh, context) : Remesh(mesh, context));
+        using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
+        (Mesh result, RemeshingStop stop, double length) =
+            context.Time(() => context.Get(laboratory) ? InLaboratory(mesh, lines, context) : Remesh(mesh, lines, context));
         context.WriteMesh(result, context.Get(output));
 
         RemeshingQuality quality = RemeshingQuality.Of(result);
@@ -45,6 +48,7 @@ internal sealed class RemeshVerb : Verb
         foreach ((int valence, int count) in histogram)
             counts.Add(valence.ToString(CultureInfo.InvariantCulture), count);
         context.Result
+            .Add("stopReason", stop == RemeshingStop.PassesDone ? "passes-done" : "nothing-to-do")
             .Add("edgeLength", length)
             .Add("valence", new ResultFields()
                 .Add("min", histogram.Count == 0 ? 0 : histogram.Keys.Min())
@@ -54,7 +58,7 @@ internal sealed class RemeshVerb : Verb
             .Add("angle", new ResultFields().Add("min", quality.SmallestAngle).Add("mean", quality.MeanSmallestAngle));
     }
 
-    private (Mesh Mesh, double EdgeLength) Remesh(Mesh mesh, VerbContext context)
+    private (Mesh Mesh, RemeshingStop Stop, double EdgeLength) Remesh(Mesh mesh, TextWriter? lines, VerbContext context)
     {
         var options = new RemeshingOptions
         {
@@ -65,16 +69,22 @@ internal sealed class RemeshVerb : Verb
             Projection = !context.Get(noProjection),
             HighQuality = context.Get(highQuality),
             CurvatureTolerance = context.Has(curvatureTolerance) ? context.Get(curvatureTolerance) : null,
+            Trace = lines,
         };
         RemeshingResult result = mesh.RemeshIsotropically(options, context.Progress("remesh"), context.CancellationToken);
-        return (result.Mesh, result.EdgeLength);
+        return (result.Mesh, result.StopReason, result.EdgeLength);
     }
 
-    private (Mesh Mesh, double EdgeLength) InLaboratory(Mesh mesh, VerbContext context)
+    private (Mesh Mesh, RemeshingStop Stop, double EdgeLength) InLaboratory(Mesh mesh, TextWriter? lines, VerbContext context)
     {
-        var options = new LaboratoryRemeshingOptions { Passes = context.Get(iterations), EdgeLength = context.Has(edgeLength) ? context.Get(edgeLength) : null };
+        var options = new LaboratoryRemeshingOptions
+        {
+            Passes = context.Get(iterations),
+            EdgeLength = context.Has(edgeLength) ? context.Get(edgeLength) : null,
+            Trace = lines,
+        };
         LaboratoryRemeshingResult result = mesh.RemeshInLaboratory(options, context.Progress("remesh"), context.CancellationToken);
         mesh.Compact();
-        return (mesh, result.EdgeLength);
+        return (mesh, result.StopReason, result.EdgeLength);
     }
 }

@@ -20,6 +20,8 @@ internal sealed class SubdivideVerb : Verb
     private readonly Option<bool> limit = new("--limit") { Description = "Move every vertex to its limit (loop, loop-warren, catmull-clark)." };
     private readonly Option<double?> creaseAngle = new("--crease-angle") { Description = "Keep edges sharp whose faces meet at more than these degrees (loop, loop-warren, catmull-clark)." };
 
+    private readonly Option<string> trace = new("--trace") { Description = "Write the steps to a file, a line of JSON each." };
+
     public override string Name => "subdivide";
 
     public override string Summary => "Refine a mesh by a subdivision scheme.";
@@ -31,7 +33,7 @@ internal sealed class SubdivideVerb : Verb
         scheme.AcceptOnlyFromAmong("loop", "loop-warren", "butterfly", "sqrt3", "catmull-clark", "doo-sabin", "midpoint");
         command.Arguments.Add(input);
         command.Arguments.Add(output);
-        foreach (Option option in new Option[] { scheme, steps, limit, creaseAngle })
+        foreach (Option option in new Option[] { scheme, steps, limit, creaseAngle, trace })
             command.Options.Add(option);
     }
 
@@ -47,8 +49,10 @@ internal sealed class SubdivideVerb : Verb
             throw new UsageException($"--crease-angle is for loop, loop-warren and catmull-clark, not for {name}");
 
         Mesh mesh = context.ReadMesh(context.Get(input));
+        using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
         var options = new SubdivisionOptions
         {
+            Trace = lines,
             Steps = context.Get(steps),
             Weights = name == "loop-warren" ? LoopWeights.Warren : LoopWeights.Loop1987,
         };

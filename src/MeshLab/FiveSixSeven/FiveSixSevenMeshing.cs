@@ -1,4 +1,5 @@
 using MeshLab.Numerics;
+using MeshLab.Spatial;
 using MeshLab.Structure;
 
 namespace MeshLab.FiveSixSeven;
@@ -34,13 +35,15 @@ public static class FiveSixSevenMeshing
             options ??= new();
             IReadOnlyDictionary<int, int> before = InnerValences(mesh);
             if (mesh.Faces.Count == 0)
-                return new(mesh.Clone(), before, before, 0, 0, 0, false, true);
+                return new(mesh.Clone(), before, before, 0, 0, 0, false, FiveSixSevenStop.NothingToDo, true);
 
             Mesh input = Used(mesh);
             int target = TargetFaces(input, options);
-            return options.Engine == FiveSixSevenEngine.Textbook
+            FiveSixSevenResult result = options.Engine == FiveSixSevenEngine.Textbook
                 ? TextbookEngine.Run(input, before, target, options, progress, cancellationToken)
                 : Repair(input, before, target, options, progress, cancellationToken);
+            result.Mesh.TakeTraitsFrom(mesh, cancellationToken);
+            return result;
         }
 
         /// <summary>How many inner vertices there are of each valence, in rising order; isolated vertices do not count.</summary>
@@ -105,6 +108,7 @@ public static class FiveSixSevenMeshing
     {
         var frame = UnitFrame.Of(input);
         WorkMesh work = WorkMesh.From(frame.ToUnit(input));
+        work.Trace = StepTrace.Into(options.Trace);
         InputSurface surface = SurfaceOf(work, options);
 
         if (work.MeanQuality() < PoorQuality)
@@ -133,8 +137,11 @@ public static class FiveSixSevenMeshing
         WorkMesh work, UnitFrame frame, Mesh input, IReadOnlyDictionary<int, int> before, int target, long walks, int level, bool lastResort)
     {
         Mesh result = frame.FromUnit(work, input);
-        return new(result, before, InnerValences(result), target, walks, level, lastResort, work.Penalty == 0);
+        return new(result, before, InnerValences(result), target, walks, level, lastResort, Stop(work, target), work.Penalty == 0);
     }
+
+    private static FiveSixSevenStop Stop(WorkMesh work, int target) =>
+        Math.Abs(work.LiveFaces - target) <= Math.Max(2, target / 200) ? FiveSixSevenStop.Reached : FiveSixSevenStop.CountOutOfReach;
 
     internal static InputSurface SurfaceOf(WorkMesh work, FiveSixSevenOptions options)
     {

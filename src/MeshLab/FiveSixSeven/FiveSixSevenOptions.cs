@@ -56,16 +56,34 @@ public sealed record FiveSixSevenOptions
 
     /// <summary>Whether triangles are made rounder in the end: smoothing on the input, flips, slivers collapsed.</summary>
     public bool ImproveShape { get; init; } = true;
+
+    /// <summary>Takes the step trace: a line of JSON per flip, split and collapse that stays, per round of smoothing, and per cut into nine; <see langword="null"/> for none.</summary>
+    public TextWriter? Trace { get; init; }
+}
+
+/// <summary>Why the work on a 5-6-7 mesh ended.</summary>
+public enum FiveSixSevenStop
+{
+    /// <summary>Every inner vertex has valence 5, 6 or 7, and the number of faces is within 0.5 % of the one aimed at (or two faces).</summary>
+    Reached,
+
+    /// <summary>The valences are right, but no step towards the number of faces is left that keeps them and the shape.</summary>
+    CountOutOfReach,
+
+    /// <summary>There are no faces.</summary>
+    NothingToDo,
 }
 
 /// <summary>A 5-6-7 mesh and how it came about.</summary>
-/// <param name="Mesh">The new mesh. Traits of the input are not carried over.</param>
+/// <param name="Mesh">The new mesh, with the traits of the input by place: values of vertices and corners blended as each trait says, those of faces and labels from
+/// the face nearby, those of edges where one lies along an old one.</param>
 /// <param name="Before">How many inner vertices of each valence the input had.</param>
 /// <param name="After">How many the result has.</param>
 /// <param name="TargetFaces">The number of faces aimed at.</param>
 /// <param name="Walks">How many repair walks were tried.</param>
 /// <param name="Level">The guard level at which Φ became 0: 0 if nothing was to repair, 1 the strictest, 6 topology only, 7 topology only with growth.</param>
 /// <param name="UsedLastResort">Whether walks were not enough, so that every face was cut into nine.</param>
+/// <param name="StopReason">Why the work ended.</param>
 /// <param name="IsComplete">Whether every inner vertex has valence 5, 6 or 7.</param>
 public sealed record FiveSixSevenResult(
     Structure.Mesh Mesh,
@@ -75,4 +93,5 @@ public sealed record FiveSixSevenResult(
     long Walks,
     int Level,
     bool UsedLastResort,
+    FiveSixSevenStop StopReason,
     bool IsComplete);

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 
 namespace MeshLab.FiveSixSeven;
@@ -24,6 +25,10 @@ internal sealed class Guard(WorkMesh mesh, InputSurface surface)
 
     public InputSurface Surface { get; } = surface;
 
+    /// <summary>The same guard for use at the same time by another thread.</summary>
+    public Guard Fork() => new(Mesh, Surface.Fork());
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public bool AllowsFlip(int h, in GuardLevel level, bool mustImprove = false)
     {
         if (level.AsksNothing)
@@ -50,6 +55,7 @@ internal sealed class Guard(WorkMesh mesh, InputSurface surface)
         Vector3D.Dot(left, old) < cosine || Vector3D.Dot(right, old) < cosine;
 
     /// <summary>Whether the two diagonals pass each other so closely that the flip does not move the surface.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static bool IsFlat(Vector3D a, Vector3D b, Vector3D c, Vector3D d, double tolerance)
     {
         if (double.IsPositiveInfinity(tolerance))
@@ -59,6 +65,7 @@ internal sealed class Guard(WorkMesh mesh, InputSurface surface)
         return length <= 1e-150 || Math.Abs(Vector3D.Dot(across, c - a)) <= 1e-3 * tolerance * length;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public bool AllowsSplit(int h, Vector3D p, in GuardLevel level)
     {
         if (level.AsksNothing)
@@ -97,6 +104,7 @@ internal sealed class Guard(WorkMesh mesh, InputSurface surface)
         return true;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public bool AllowsCollapse(int h, Vector3D p, in GuardLevel level)
     {
         if (level.AsksNothing)

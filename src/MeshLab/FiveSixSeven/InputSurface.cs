@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 using MeshLab.Spatial;
 
@@ -21,6 +22,11 @@ internal sealed class InputSurface
             lines = FaceTree.Build(positions, [.. creases.SelectMany(e => new[] { e.A, e.B, e.B })]);
     }
 
+    private InputSurface(InputSurface other) => (positions, corners, tree, lines) = (other.positions, other.corners, other.tree, other.lines);
+
+    /// <summary>The same surface with a hint of its own, without any.</summary>
+    public InputSurface Fork() => new(this);
+
     /// <summary>The triangle found last: the next query is mostly near it.</summary>
     public int Hint { get; set; } = -1;
 
@@ -35,6 +41,7 @@ internal sealed class InputSurface
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public Vector3D Project(Vector3D p)
     {
         double bound = double.PositiveInfinity;
@@ -54,11 +61,12 @@ internal sealed class InputSurface
     public Vector3D ProjectToLines(Vector3D p) => lines is null ? p : lines.FindClosest(p).Point;
 
     /// <summary>Whether the surface is nearer than a distance.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public bool IsNear(Vector3D p, double distance)
     {
         if (double.IsPositiveInfinity(distance))
             return true;
-        if (Hint >= 0 && Vector3D.DistanceSquared(p, OnTriangle(p, Hint)) < distance * distance)
+        if (Hint >= 0 && SquaredFromTriangle(p, Hint) < distance * distance)
             return true;
         int triangle = tree.FindTriangleWithin(p, distance);
         if (triangle < 0)
@@ -66,6 +74,9 @@ internal sealed class InputSurface
         Hint = triangle;
         return true;
     }
+
+    private double SquaredFromTriangle(Vector3D p, int triangle) => TriangleMath.ClosestDistanceSquared(
+        p, positions[corners[3 * triangle]], positions[corners[3 * triangle + 1]], positions[corners[3 * triangle + 2]], out _);
 
     private Vector3D OnTriangle(Vector3D p, int triangle) => TriangleMath.ClosestPoint(
         p, positions[corners[3 * triangle]], positions[corners[3 * triangle + 1]], positions[corners[3 * triangle + 2]]);

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 
 namespace MeshLab.FiveSixSeven;
@@ -226,6 +227,7 @@ internal sealed class RepairWalk(Guard guard)
     }
 
     /// <summary>Scores 8ΔΦ + ΔΣ(val − 6)² and the cost of the operation.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void AddEdge(int e)
     {
         if (seenEdge[e] == step || tabooEdge[e] == walk)

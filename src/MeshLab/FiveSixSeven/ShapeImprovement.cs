@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 
 namespace MeshLab.FiveSixSeven;
@@ -6,23 +7,36 @@ namespace MeshLab.FiveSixSeven;
 internal sealed class ShapeImprovement(Guard guard, FaceCount faceCount, CancellationToken cancellationToken)
 {
     private readonly WorkMesh mesh = guard.Mesh;
+    // A vertex that would move by less than about a hundredth of an edge stays: the square of it, as a share of the area around.
+    private const double LeastMove = 2e-5;
+
     private int[] hints = [];
 
     /// <summary>Moves every vertex towards the area-weighted mean of its faces' centroids, in its tangent plane, and back onto the input; never where
     /// a face would turn, or the worst face around it get worse.</summary>
-    public void Smooth(int sweeps, double minimumCosine, double goodQuality, in GuardLevel level)
+    /// <remarks>Vertices of one colour are no neighbours: they may move at the same time, and the number of threads makes no difference.</remarks>
+    public void Smooth(int sweeps, double minimumCosine, double goodQuality, GuardLevel level)
     {
+        const int BlockSize = 256;
         if (hints.Length < mesh.VertexSlots)
             Array.Resize(ref hints, mesh.VertexSlots + mesh.VertexSlots / 4);
+        int[][] colors = VertexColors.Of(mesh);
         for (int sweep = 0; sweep < sweeps; sweep++)
         {
-            for (int v = 0; v < mesh.VertexSlots; v++)
+            foreach (int[] movable in colors)
             {
-                if ((v & 1023) == 0)
+                Parallelism.ForBlocks(movable.Length, BlockSize, (first, end) =>
+                {
                     cancellationToken.ThrowIfCancellationRequested();
-                if (mesh.IsLiveVertex(v) && mesh.Kind[v] != VertexKind.Corner && TryTarget(v, out Vector3D target))
-                    Move(v, target, minimumCosine, goodQuality, level);
+                    Guard own = guard.Fork();
+                    for (int i = first; i < end; i++)
+                    {
+                        if (TryTarget(movable[i], out Vector3D target))
+                            Move(own, movable[i], target, minimumCosine, goodQuality, level);
+                    }
+                });
             }
+            mesh.Trace?.Move("smooth", mesh.Positions.AsSpan(0, mesh.VertexSlots));
         }
     }
 
@@ -60,21 +74,21 @@ internal sealed class ShapeImprovement(Guard guard, FaceCount faceCount, Cancell
             normal = normal.Normalized();
             target -= normal * Vector3D.Dot(target - p, normal);
         }
-        return Vector3D.DistanceSquared(target, p) >= 1e-12;
+        return Vector3D.DistanceSquared(target, p) >= (onLine ? 1e-12 : LeastMove * weight);
     }
 
-    private void Move(int v, Vector3D target, double minimumCosine, double goodQuality, in GuardLevel level)
+    private void Move(Guard own, int v, Vector3D target, double minimumCosine, double goodQuality, in GuardLevel level)
     {
         Vector3D old = mesh.Positions[v];
-        guard.Surface.Hint = hints[v] - 1;
+        own.Surface.Hint = hints[v] - 1;
         foreach (double part in (ReadOnlySpan<double>)[1, 0.5, 0.2])
         {
             Vector3D p = old + (target - old) * part;
-            p = mesh.Kind[v] == VertexKind.OnCrease ? guard.Surface.ProjectToLines(p) : guard.Surface.Project(p);
-            if (!IsBetter(v, old, p, minimumCosine, goodQuality) || !guard.IsStarNear(v, p, level))
+            p = mesh.Kind[v] == VertexKind.OnCrease ? own.Surface.ProjectToLines(p) : own.Surface.Project(p);
+            if (!IsBetter(v, old, p, minimumCosine, goodQuality) || !own.IsStarNear(v, p, level))
                 continue;
             mesh.Positions[v] = p;
-            hints[v] = guard.Surface.Hint + 1;
+            hints[v] = own.Surface.Hint + 1;
             return;
         }
     }
@@ -135,6 +149,7 @@ internal sealed class ShapeImprovement(Guard guard, FaceCount faceCount, Cancell
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private bool IsWanted(int h, FlipRule rule)
     {
         if (rule == FlipRule.Quality)

@@ -14,16 +14,27 @@ internal static class TextbookEngine
         InputSurface surface = FiveSixSevenMeshing.SurfaceOf(original, options);
         MarkCreases(mesh, original);
 
-        mesh.RaiseValenceThree();
-        mesh.RaiseValenceFour();
+        var trace = StepTrace.Into(options.Trace);
+        using (OperationTrace.Of(mesh, trace))
+        {
+            mesh.RaiseValenceThree();
+            mesh.RaiseValenceFour();
+        }
+        cancellationToken.ThrowIfCancellationRequested();
         mesh = mesh.SplitFacesIntoNine();
-        mesh.LowerHighValences();
-        progress?.Report(0.2);
-        mesh.SimplifyKeepingValences(target, cancellationToken);
+        trace?.Remake("nineSplit", mesh);
+        using (OperationTrace.Of(mesh, trace))
+        {
+            mesh.LowerHighValences();
+            progress?.Report(0.2);
+            mesh.SimplifyKeepingValences(target, cancellationToken);
+        }
         mesh.Compact();
+        trace?.Remake("compact", mesh);
         progress?.Report(0.5);
 
         WorkMesh work = WorkMesh.From(mesh);
+        work.Trace = trace;
         TakeCreases(mesh, work);
         FiveSixSevenMeshing.Tools tools = FiveSixSevenMeshing.ToolsFor(work, surface, target, cancellationToken);
         FiveSixSevenMeshing.ApproachCount(tools, target);

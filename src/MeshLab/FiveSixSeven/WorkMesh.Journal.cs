@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
+using MeshLab.Structure;
 
 namespace MeshLab.FiveSixSeven;
 
@@ -27,12 +28,12 @@ internal sealed partial class WorkMesh
     public bool IsRecording { get; private set; }
 
     /// <summary>A state to come back to.</summary>
-    public readonly record struct Mark(int Cells, int Moves, int Quadrics, int Vertices, int Edges, int Faces, int LiveFaces, long Penalty);
+    public readonly record struct Mark(int Cells, int Moves, int Quadrics, int Vertices, int Edges, int Faces, int LiveFaces, long Penalty, int Steps);
 
     public Mark StartRecording()
     {
         IsRecording = true;
-        return new(cells.Count, moves.Count, quadricChanges.Count, VertexSlots, EdgeSlots, FaceSlots, LiveFaces, Penalty);
+        return new(cells.Count, moves.Count, quadricChanges.Count, VertexSlots, EdgeSlots, FaceSlots, LiveFaces, Penalty, steps.Count);
     }
 
     public void StopRecording()
@@ -41,6 +42,49 @@ internal sealed partial class WorkMesh
         cells.Clear();
         moves.Clear();
         quadricChanges.Clear();
+        foreach (Step step in steps)
+            Write(step);
+        steps.Clear();
+    }
+
+    private enum StepKind
+    {
+        Flip,
+        Split,
+        Collapse,
+    }
+
+    private readonly record struct Step(StepKind Kind, int Edge, int First, int Second, Vector3D Position);
+
+    private readonly List<Step> steps = [];
+
+    /// <summary>Where operations are written that stay; those taken back are not.</summary>
+    public StepTrace? Trace { get; set; }
+
+    private void Note(in Step step)
+    {
+        if (Trace is null)
+            return;
+        if (IsRecording)
+            steps.Add(step);
+        else
+            Write(step);
+    }
+
+    private void Write(in Step step)
+    {
+        switch (step.Kind)
+        {
+            case StepKind.Flip:
+                Trace!.Flip(step.Edge, step.First, step.Second);
+                break;
+            case StepKind.Split:
+                Trace!.Split(step.Edge, step.First, step.Position);
+                break;
+            default:
+                Trace!.Collapse(step.Edge, step.First, step.Second, step.Position);
+                break;
+        }
     }
 
     public void UndoTo(in Mark mark)
@@ -56,6 +100,7 @@ internal sealed partial class WorkMesh
             Quadrics[quadricChanges[i].Vertex] = quadricChanges[i].Before;
         cells.RemoveRange(mark.Cells, cells.Count - mark.Cells);
         moves.RemoveRange(mark.Moves, moves.Count - mark.Moves);
+        steps.RemoveRange(mark.Steps, steps.Count - mark.Steps);
         quadricChanges.RemoveRange(mark.Quadrics, quadricChanges.Count - mark.Quadrics);
         (VertexSlots, EdgeSlots, FaceSlots, LiveFaces, Penalty) = (mark.Vertices, mark.Edges, mark.Faces, mark.LiveFaces, mark.Penalty);
     }

@@ -35,6 +35,7 @@ internal sealed partial class WorkMesh
         SetValence(b, Valence[b] - 1);
         SetValence(c, Valence[c] + 1);
         SetValence(d, Valence[d] + 1);
+        Note(new(StepKind.Flip, h >> 1, d, c, default));
     }
 
     private void LinkTriangle(int f, int a, int b, int c)
@@ -76,6 +77,7 @@ internal sealed partial class WorkMesh
             CutOff(f, n, afterH);
         if (g >= 0)
             CutOff(g, beforeT, nBack);
+        Note(new(StepKind.Split, h >> 1, m, -1, position));
         return m;
     }
 
@@ -189,6 +191,7 @@ internal sealed partial class WorkMesh
         Put(Outgoing, Column.Outgoing, b, outgoing);
         SetValence(b, valence);
         SetPosition(b, position);
+        Note(new(StepKind.Collapse, h >> 1, b, a, position));
     }
 
     /// <summary>The face of the sides <paramref name="kept"/> and <paramref name="gone"/> vanishes; kept takes the place of gone's twin.</summary>

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 using MeshLab.Structure;
 
@@ -227,6 +228,7 @@ internal static class Shape
     public static Vector3D AreaNormal(Vector3D a, Vector3D b, Vector3D c) => Vector3D.Cross(b - a, c - a);
 
     /// <summary>The unit normal, or zero for a degenerate triangle.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static Vector3D Normal(Vector3D a, Vector3D b, Vector3D c)
     {
         Vector3D n = Vector3D.Cross(b - a, c - a);
@@ -235,6 +237,7 @@ internal static class Shape
     }
 
     /// <summary>4√3·A/Σl².</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static double Quality(Vector3D a, Vector3D b, Vector3D c)
     {
         Vector3D ab = b - a, ac = c - a, bc = c - b;

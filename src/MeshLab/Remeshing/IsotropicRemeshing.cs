@@ -1,5 +1,6 @@
 using MeshLab.Geometry;
 using MeshLab.Numerics;
+using MeshLab.Spatial;
 using MeshLab.Structure;
 
 namespace MeshLab.Remeshing;
@@ -17,7 +18,7 @@ namespace MeshLab.Remeshing;
 /// <para>
 /// Boundaries and features (dihedral angle above <see cref="RemeshingOptions.FeatureAngle"/>) stay: their vertices slide along them, their ends,
 /// crossings and sharp turns never move. Topology does not change. The same bits on every number of threads.
-/// O(n log n) per pass. Isolated vertices and traits are not taken over.
+/// O(n log n) per pass. Traits go along by place (<see cref="TraitTransfer"/>); isolated vertices do not.
 /// </para>
 /// </remarks>
 public static class IsotropicRemeshing
@@ -66,9 +67,9 @@ public static class IsotropicRemeshing
         }
         double length = options.EdgeLength ?? options.RelativeLength * input.MeanEdgeLength;
         if (input.Faces.Count == 0 || !(length > 0))
-            return new(input.Clone(), length, 0, 0, 0, 0, 0, 0);
+            return new(input.Clone(), RemeshingStop.NothingToDo, length, 0, 0, 0, 0, 0, 0);
 
-        var surface = new RemeshSurface(input);
+        var surface = new RemeshSurface(input) { Trace = StepTrace.Into(options.Trace) };
         FeatureLines lines = FeatureLines.Mark(input, surface, options.FeatureAngle, length);
         StartOnInput(surface, input);
         double[] sizes = SizingField.Of(input, options, length * InnerLength);
@@ -93,6 +94,7 @@ public static class IsotropicRemeshing
             bool byArea = options.HighQuality || pass >= options.Passes - PassesByArea;
             Move(surface, places, byArea, projection, lines);
             (surface.Positions, places) = (places, surface.Positions);
+            surface.Trace?.Move("smooth", surface.Positions.AsSpan(0, surface.VertexSlots));
             if (options.CurvatureTolerance is not null)
                 TakeSizes(surface, input, sizes);
             Next(1);
@@ -103,7 +105,9 @@ public static class IsotropicRemeshing
                 progress?.Report((pass + share) / options.Passes);
             }
         }
-        return new(surface.ToMesh(), length, options.Passes, lengths.Splits, lengths.Collapses, flips.Flips, lines.FeatureEdges, lines.Corners);
+        Mesh result = surface.ToMesh();
+        result.TakeTraitsFrom(input, cancellationToken);
+        return new(result, RemeshingStop.PassesDone, length, options.Passes, lengths.Splits, lengths.Collapses, flips.Flips, lines.FeatureEdges, lines.Corners);
     }
 
     // Smooth, then back to the surface or the line: reads the old positions, writes new ones.

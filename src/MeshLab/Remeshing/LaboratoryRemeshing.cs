@@ -47,15 +47,19 @@ public sealed record LaboratoryRemeshingOptions
             field = value;
         }
     }
+
+    /// <summary>Takes the step trace: a line of JSON per operation; <see langword="null"/> for none.</summary>
+    public TextWriter? Trace { get; init; }
 }
 
 /// <summary>What the laboratory's remeshing did.</summary>
+/// <param name="StopReason">Why it ended.</param>
 /// <param name="EdgeLength">The edge length L̄ aimed at.</param>
 /// <param name="Splits">Edges split.</param>
 /// <param name="Collapses">Edges contracted.</param>
 /// <param name="Flips">Edges flipped.</param>
 /// <param name="RefusedCollapses">Short edges that stay, because an edge would get too long or the topology change.</param>
-public sealed record LaboratoryRemeshingResult(double EdgeLength, int Splits, int Collapses, int Flips, int RefusedCollapses);
+public sealed record LaboratoryRemeshingResult(RemeshingStop StopReason, double EdgeLength, int Splits, int Collapses, int Flips, int RefusedCollapses);
 
 /// <summary>L4 各向同性重新网格化 (isotropic remeshing) as the laboratory's script has it: four steps on the mesh itself, without projection.</summary>
 /// <remarks>
@@ -84,6 +88,7 @@ public static class LaboratoryRemeshing
             options ??= new();
             double length = options.EdgeLength ?? mesh.MeanEdgeLength;
             int splits = 0, collapses = 0, flips = 0, refused = 0;
+            using OperationTrace? trace = OperationTrace.Of(mesh, StepTrace.Into(options.Trace));
             for (int pass = 0; pass < options.Passes && length > 0; pass++)
             {
                 splits += SplitLongEdges(mesh, Long * length);
@@ -102,7 +107,7 @@ public static class LaboratoryRemeshing
                     cancellationToken.ThrowIfCancellationRequested();
                 }
             }
-            return new(length, splits, collapses, flips, refused);
+            return new(length > 0 ? RemeshingStop.PassesDone : RemeshingStop.NothingToDo, length, splits, collapses, flips, refused);
         }
     }
 

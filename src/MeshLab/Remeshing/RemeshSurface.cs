@@ -66,6 +66,9 @@ internal sealed class RemeshSurface
 
     public int FaceSlots { get; private set; }
 
+    /// <summary>Where every operation is written; null for nowhere.</summary>
+    public StepTrace? Trace { get; init; }
+
     public bool IsFreeEdge(int h) => Next[h] < 0;
 
     public bool IsLiveVertex(int v) => Outgoing[v] >= 0;
@@ -108,6 +111,7 @@ internal sealed class RemeshSurface
             Outgoing[a] = ad;
         if (Outgoing[b] == t)
             Outgoing[b] = bc;
+        Trace?.Flip(h >> 1, d, c);
     }
 
     /// <summary>Puts a vertex on the edge and cuts the triangles beside it in two. The part at the source of h keeps the edge's index.</summary>
@@ -155,6 +159,7 @@ internal sealed class RemeshSurface
             Link(back, t);
             Outgoing[m] = t;
         }
+        Trace?.Split(h >> 1, m, position);
         return m;
     }
 
@@ -241,6 +246,7 @@ internal sealed class RemeshSurface
         if (f < 0 || g < 0)
             PointToBoundary(v);
         Positions[v] = position;
+        Trace?.Collapse(h >> 1, v, u, position);
     }
 
     // A triangle has lost an edge: its two others become one, which is on a line if one of them was.

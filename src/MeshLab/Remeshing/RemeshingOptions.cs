@@ -94,6 +94,9 @@ public sealed record RemeshingOptions
     }
     = 0.2;
 
+    /// <summary>Takes the step trace: a line of JSON per split, collapse and flip, and per smoothing; <see langword="null"/> for none.</summary>
+    public TextWriter? Trace { get; init; }
+
     private static void ThrowIfNotPositive(double value, string name)
     {
         if (!(value > 0) || !double.IsFinite(value))

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 
 namespace MeshLab.Spatial;
@@ -26,6 +27,7 @@ public static class TriangleMath
     /// <param name="b">Second corner.</param>
     /// <param name="c">Third corner; degenerate triangles are allowed.</param>
     /// <param name="weights">The barycentric weights (重心坐标) of the closest point at the three corners.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static double ClosestDistanceSquared(Vector3D query, Vector3D a, Vector3D b, Vector3D c, out Vector3D weights)
     {
         Vector3D u = b - a, v = c - a, w = query - a;

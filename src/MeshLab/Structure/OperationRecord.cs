@@ -1,4 +1,5 @@
 using System.Collections.Immutable;
+using MeshLab.Numerics;
 
 namespace MeshLab.Structure;
 
@@ -86,6 +87,8 @@ public sealed class OperationRecord
 
     /// <summary>The elements that it removed, in the order of removal.</summary>
     public ImmutableArray<(ElementKind Kind, int Index)> Removed => [.. journal.Removed];
+
+    internal IReadOnlyList<(int Vertex, Vector3D Before, Vector3D After)> Moves => journal.Moves;
 
     /// <summary>Takes the operation back. Only right when everything done after it was taken back before; <see cref="OperationHistory"/> sees to that.</summary>
     public void Undo() => journal.Undo(mesh);

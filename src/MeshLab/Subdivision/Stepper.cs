@@ -29,6 +29,7 @@ internal static class Stepper
         }
 
         Mesh result = Compacted(mesh);
+        var trace = StepTrace.Into(options.Trace);
         double done = 0;
         for (int number = 0; number < options.Steps; number++)
         {
@@ -36,6 +37,7 @@ internal static class Stepper
             Mesh finer = step(result, number, cancellationToken);
             traits(result, finer);
             result = finer;
+            trace?.Remake("subdivide", finer);
             done += finer.Faces.Count;
             progress?.Report(Math.Min(1, done / Math.Max(1, total.Faces)));
         }

@@ -68,6 +68,9 @@ public sealed record SubdivisionOptions
     /// <summary>Whether the edge trait <see cref="Creases.TraitName"/> makes creases in Loop's and Catmull and Clark's schemes.</summary>
     public bool UseCreases { get; init; } = true;
 
+    /// <summary>Takes the step trace: a line of JSON with the counts and a hash of the mesh per step; <see langword="null"/> for none.</summary>
+    public TextWriter? Trace { get; init; }
+
     /// <summary>§8.3: whether the first step trisects the boundary, as the second of two √3 steps does. Faces may then have one boundary edge at most.</summary>
     public bool BeginWithBoundaryTrisection { get; init; }
 }

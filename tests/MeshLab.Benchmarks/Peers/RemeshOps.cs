@@ -1,3 +1,4 @@
+using MeshLab.FiveSixSeven;
 using MeshLab.IO;
 using MeshLab.Remeshing;
 using MeshLab.Structure;
@@ -11,6 +12,10 @@ internal static class RemeshOps
 
     [PeerOp("isotropic-remesh-5")]
     public static void FiveTimes(PeerRun run) => Remesh(run, 5);
+
+    [PeerOp("five-six-seven")]
+    public static void FiveSixSeven(PeerRun run) =>
+        run.Measure(() => run.Model.NewMesh(), mesh => mesh.ToFiveSixSeven().Mesh, (_, mesh, result) => result.Measure(mesh));
 
     private static void Remesh(PeerRun run, int passes)
     {
