@@ -33,6 +33,10 @@ public static class IsotropicRemeshing
     // Area weights even out the areas; before the last passes they would only slow down the evening of valences.
     private const int PassesByArea = 2;
 
+    // In long runs one first pass in so many weights by area too: on uneven triangles equal weights pull vertices off small details, and time enough is left
+    // to even out the valences.
+    private const int LongRun = 8;
+
     extension(Mesh mesh)
     {
         /// <summary>A new mesh of nearly equilateral triangles on the surface of this one.</summary>
@@ -91,7 +95,7 @@ public static class IsotropicRemeshing
             Next(0.75);
             if (places.Length < surface.Positions.Length)
                 places = new Vector3D[surface.Positions.Length];
-            bool byArea = options.HighQuality || pass >= options.Passes - PassesByArea;
+            bool byArea = options.HighQuality || pass >= options.Passes - PassesByArea || pass < options.Passes / LongRun;
             Move(surface, places, byArea, projection, lines);
             (surface.Positions, places) = (places, surface.Positions);
             surface.Trace?.Move("smooth", surface.Positions.AsSpan(0, surface.VertexSlots));

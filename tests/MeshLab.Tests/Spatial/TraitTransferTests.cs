@@ -50,7 +50,7 @@ public class TraitTransferTests
         foreach (Vertex v in mesh.Vertices)
             Assert.Equal(2 * v.Position.X - v.Position.Y, slope[v], 1e-9);
         FaceLabels material = Assert.Single(mesh.FaceLabels);
-        Assert.Equal(["left", "right"], material.Names.Order());
+        Assert.Equal(["left", "right"], material.Names.Order(StringComparer.Ordinal), StringComparer.Ordinal);
         foreach (Face f in mesh.Faces)
         {
             Vector3D center = Center(f);

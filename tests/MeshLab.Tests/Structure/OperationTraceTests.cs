@@ -31,7 +31,7 @@ public class OperationTraceTests
         }
 
         JsonElement[] lines = Lines(writer);
-        Assert.Equal(["edgeFlip", "edgeSplit"], lines.Select(line => line.GetProperty("operation").GetString()));
+        Assert.Equal(["edgeFlip", "edgeSplit"], lines.Select(line => line.GetProperty("operation").GetString()!), StringComparer.Ordinal);
         Assert.Equal([0, 1], lines.Select(line => line.GetProperty("step").GetInt32()));
         Assert.Equal($"v{mesh.VertexSlots - 1}", lines[1].GetProperty("created")[0].GetString());
         Assert.Equal(mesh.VertexSlots - 1, lines[1].GetProperty("moved")[0][0].GetInt32());
@@ -115,7 +115,7 @@ public class OperationTraceTests
         foreach ((string operation, int count) in expected)
             Assert.Equal(count, lines.Count(line => line.GetProperty("operation").GetString() == operation));
         Assert.Equal(Enumerable.Range(0, lines.Length), lines.Select(line => line.GetProperty("step").GetInt32()));
-        Assert.Equal(lines.Length, lines.Select(line => line.GetProperty("hash").GetString()).Distinct().Count());
+        Assert.Equal(lines.Length, lines.Select(line => line.GetProperty("hash").GetString()).Distinct(StringComparer.Ordinal).Count());
     }
 
     private static JsonElement[] Lines(StringWriter writer) =>
