@@ -50,7 +50,7 @@ while IFS='|' read -r file recipe what; do
     name=${file%.*}
     read -ra words <<< "$recipe"
     mlab generate "${words[0]}" "$file" "${words[@]:1}" --json > /dev/null
-    mlab render "$file" "pictures/$name.png" --size 320x256 --json > /dev/null
+    mlab render "$file" "pictures/$name.png" --size 320x256 --view 48,24 --json > /dev/null
     info=$(mlab info "$file" --json | tr -d ' \n' | sed 's/"input":{[^}]*},*//')
     echo "| ![$name](pictures/$name.png) | [$file]($file) | $(field vertices) | $(field edges) | $(field faces) | $(field components) |" \
         "$(field boundaryLoops) | $(field genus) | $what | \`mlab generate $recipe\` |" >> README.md

@@ -76,10 +76,13 @@ public sealed class HtmlPage
             if (own != chapter)
                 html.Append(chapter is null ? "<div>" : "</div><div>");
             chapter = own;
-            html.Append(CultureInfo.InvariantCulture, $"<a href=\"#{section.Id}\"><b>{SvgWriter.Escape(section.Number)}</b> {SvgWriter.Escape(section.Title)}</a>");
+            html.Append(CultureInfo.InvariantCulture, $"<a href=\"#{section.Id}\"><b>{SvgWriter.Escape(section.Number)}</b> {SvgWriter.Escape(section.Title)}{SecondTitle(section)}</a>");
         }
         html.Append("</div></nav>\n");
     }
+
+    private static string SecondTitle(HtmlSection section) =>
+        section.SecondTitle.Length == 0 ? "" : $" <span lang=\"en\">{SvgWriter.Escape(section.SecondTitle)}</span>";
 
     private const string Style = """
         :root { color-scheme: light dark; --ink: #1f2430; --soft: #5c6475; --page: #f6f7fa; --card: #fff; --line: #dfe3ea; --accent: #3159b5; --code: #f1f3f7; }
@@ -98,6 +101,7 @@ public sealed class HtmlPage
         nav div { display: flex; flex-wrap: wrap; gap: 2px 16px; padding: 5px 0; border-bottom: 1px solid var(--line); }
         a { color: var(--accent); text-decoration: none; }
         a:hover { text-decoration: underline; }
+        nav span { color: var(--soft); }
         section { background: var(--card); border: 1px solid var(--line); border-radius: 14px; margin: 22px 0; padding: 20px 24px 24px; }
         h2 { font-size: 21px; margin: 0 0 6px; line-height: 1.35; }
         h2 .number { color: var(--accent); margin-right: .45em; font-variant-numeric: tabular-nums; }
@@ -105,6 +109,7 @@ public sealed class HtmlPage
         p { margin: 8px 0; max-width: 78ch; }
         .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); gap: 18px; margin: 14px 0; align-items: start; }
         .figure { margin: 0; min-width: 0; }
+        .figure:only-child { max-width: 720px; }
         .figure img, .figure .model { display: block; width: 100%; height: auto; border: 1px solid var(--line); border-radius: 10px; background: #fff; }
         .figure .model { position: relative; aspect-ratio: 9 / 7; overflow: hidden; }
         .model img { border: 0; border-radius: 0; width: 100%; height: 100%; object-fit: contain; }

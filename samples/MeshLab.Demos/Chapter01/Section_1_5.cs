@@ -33,9 +33,9 @@ public static class Section_1_5
         using OperationHistory history = mesh.StartRecording();
         (double start, double end) = (height[e.Vertex0], height[e.Vertex1]);
         Vertex m = e.Split(Vector3D.Lerp(e.Vertex0.Position, e.Vertex1.Position, 0.25));
-        output.Line($"{e} split at a quarter: {m} has height {height[m]}, a quarter of the way from {start} to {end}");
+        output.Line($"{e} split at a quarter: {m} has height {height[m]:G6}, a quarter of the way from {start:G6} to {end:G6}");
         history.UndoAll();
-        output.Line($"undone, to the last bit: {mesh.StateHash() == before}");
+        output.Line($"undone, to the last bit: {(mesh.StateHash() == before ? "yes" : "no")}");
         output.Picture("model", mesh);
     }
 }

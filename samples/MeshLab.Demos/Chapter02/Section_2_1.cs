@@ -10,7 +10,7 @@ public static class Section_2_1
 {
     public static void Run(Mesh mesh, DemoOutput output)
     {
-        output.Line($"A 50-gon misses the circle's area by a part of {1 - 25 / Math.PI * Math.Sin(2 * Math.PI / 50)}.");
+        output.Line($"A 50-gon misses the circle's area by {1 - 25 / Math.PI * Math.Sin(2 * Math.PI / 50):P2}.");
         ShapeTable.Show(
             output,
             "polygons",

@@ -15,14 +15,17 @@ public static class Section_2_6
         foreach (Vertex v in mesh.Vertices)
             height[v] = v.Position.Z - floor;
 
+        ulong source = mesh.StateHash();
         Mesh copy = mesh.Clone();
-        output.Line($"same state: {copy.StateHash() == mesh.StateHash()}");
+        output.Line($"same state: {YesNo(copy.StateHash() == mesh.StateHash())}");
         copy.TryGetVertexTrait("height above the floor", out VertexTrait<double>? copied);
-        output.Line($"traits come along: {copied!.Values.SequenceEqual(height.Values)}");
+        output.Line($"traits come along: {YesNo(copied!.Values.SequenceEqual(height.Values))}");
 
         foreach (Vertex v in copy.Vertices)
             v.Position *= 2;
-        output.Line($"after doubling the copy the source is untouched: {copy.StateHash() != mesh.StateHash()}");
+        output.Line($"after doubling the copy the source is untouched: {YesNo(mesh.StateHash() == source && copy.StateHash() != source)}");
         output.Picture("clone", copy);
     }
+
+    private static string YesNo(bool truth) => truth ? "yes" : "no";
 }

@@ -10,7 +10,13 @@ public static class Section_4_1
 {
     public static void Run(Mesh mesh, DemoOutput output)
     {
-        Vertex center = mesh.Vertices.First(v => !v.IsBoundary && v.Neighbors.All(w => !w.IsBoundary));
+        Vertex center = mesh.Vertices.FirstOrDefault(v => !v.IsBoundary && v.Neighbors.All(w => !w.IsBoundary));
+        if (center.IsNone)
+        {
+            output.Line($"every vertex of this model is on a boundary or beside one, so no star can be taken out and put back");
+            output.Picture("model", mesh);
+            return;
+        }
         Vertex[][] star = [.. center.Faces.Select(f => f.Vertices.ToArray())];
         mesh.DeleteFaces(center.Faces.ToArray(), new RemovalOptions { DeleteOrphans = false });
         output.Line($"{star.Length} faces around {center} taken out; {center} is isolated: {center.IsIsolated}");

@@ -44,7 +44,7 @@ internal static class DemoProgram
         }
         catch (Exception error) when (error is IOException or UnauthorizedAccessException or MeshFormatException or TopologyException or ArgumentException)
         {
-            return Fail(error.Message);
+            return Fail(Tour.ForPeople(error));
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
+using MeshLab.Geometry;
 using MeshLab.Structure;
 using MeshLab.Visualization;
 using Spectre.Console;
@@ -12,37 +13,77 @@ internal static class Tour
     /// <summary>A model that can be turned is stored whole in its page; above this many faces the page would be too large to open quickly.</summary>
     private const int MostFacesToTurn = 120_000;
 
+    private const string CutNote = "This section is about triangles; it shows the model with its polygons cut into triangles.";
+
+    /// <summary>Runs the tour; the status is 1 if a demo failed, which is not the same as not being for the model.</summary>
     public static int Run(Mesh mesh, string path, string outDirectory, double pictureScale = 1)
     {
+        if (mesh.Faces.Count == 0)
+            throw new ArgumentException($"{path} has no faces to show.", nameof(mesh));
         Directory.CreateDirectory(outDirectory);
+        Mesh? triangles = mesh.IsTriangleMesh ? null : TryTriangulate(mesh);
+        bool failed = false;
         var page = new HtmlPage("MeshLab", $"{Path.GetFileName(path)} · {mesh}");
         AddModel(page, mesh, outDirectory, pictureScale);
         foreach (Demo demo in DemoCatalog.All)
         {
             long start = Stopwatch.GetTimestamp();
-            var output = new DemoOutput(Path.Combine(outDirectory, demo.Section), null) { PictureScale = pictureScale };
-            string? refusal = RunDemo(demo, mesh, output);
+            DemoOutput NewOutput() => new(Path.Combine(outDirectory, demo.Section), null) { PictureScale = pictureScale };
+            DemoOutput output = NewOutput();
+            DemoEnd end = RunDemo(demo, mesh, output);
+            if (end.Kind == DemoEndKind.NotForThisModel && triangles is not null)
+            {
+                output = NewOutput();
+                end = RunDemo(demo, triangles, output) is { Kind: not DemoEndKind.Done } again ? again : new(DemoEndKind.Done, CutNote);
+            }
+            failed |= end.Kind == DemoEndKind.Failed;
             string took = Stopwatch.GetElapsedTime(start).TotalSeconds.ToString("F1", CultureInfo.InvariantCulture);
-            AnsiConsole.MarkupLineInterpolated($"{demo.Title} [grey]{took} s{(refusal is null ? "" : ", not for this model: " + refusal)}[/]");
-            AddSection(page, demo, output, refusal, outDirectory);
+            AnsiConsole.MarkupLineInterpolated($"{demo.Title} [grey]{took} s{(end.Note.Length == 0 ? "" : " · " + end.Note)}[/]");
+            AddSection(page, demo, output, end.Note, outDirectory);
         }
         string index = Path.Combine(outDirectory, "index.html");
         page.Save(index);
         AnsiConsole.MarkupLineInterpolated($"open [bold]{Path.GetRelativePath(Environment.CurrentDirectory, index)}[/]");
-        return 0;
+        return failed ? 1 : 0;
     }
 
-    /// <summary>Runs a demo on a copy of the model; returns why it is not for this model, if so.</summary>
-    internal static string? RunDemo(Demo demo, Mesh mesh, DemoOutput output)
+    /// <summary>Runs a demo on a copy of the model, and says how it ended.</summary>
+    internal static DemoEnd RunDemo(Demo demo, Mesh mesh, DemoOutput output)
     {
         try
         {
             demo.Run(mesh.Clone(), output);
-            return null;
+            return new(DemoEndKind.Done, "");
         }
-        catch (Exception error) when (error is ArgumentException or TopologyException or InvalidOperationException)
+        catch (Exception refusal) when (refusal is ArgumentException or TopologyException)
         {
-            return error.Message;
+            return new(DemoEndKind.NotForThisModel, $"Not for this model: {ForPeople(refusal)}");
+        }
+#pragma warning disable CA1031 // One demo that fails must not take the other sections away; the tour's status tells.
+        catch (Exception error) when (error is not OutOfMemoryException)
+#pragma warning restore CA1031
+        {
+            return new(DemoEndKind.Failed, $"This demo failed: {error.GetType().Name}: {error.Message}");
+        }
+    }
+
+    /// <summary>The message without the parameter's name, which means nothing to somebody who named a model.</summary>
+    internal static string ForPeople(Exception error)
+    {
+        int parameter = error.Message.IndexOf(" (Parameter '", StringComparison.Ordinal);
+        return parameter < 0 ? error.Message : error.Message[..parameter];
+    }
+
+    private static Mesh? TryTriangulate(Mesh mesh)
+    {
+        try
+        {
+            return Triangulation.Triangulate(mesh).Mesh;
+        }
+        catch (TopologyException)
+        {
+            // Sections about triangles then say themselves why they are not for this model.
+            return null;
         }
     }
 
@@ -60,7 +101,7 @@ internal static class Tour
         section.AddModel("model.html", "model.png", "the model; turn it with the mouse");
     }
 
-    private static void AddSection(HtmlPage page, Demo demo, DemoOutput output, string? refusal, string outDirectory)
+    private static void AddSection(HtmlPage page, Demo demo, DemoOutput output, string note, string outDirectory)
     {
         HtmlSection section = page.AddSection(demo.Section, demo.Chinese, demo.English);
         foreach (DemoItem item in output.Items)
@@ -84,8 +125,8 @@ internal static class Tour
                     break;
             }
         }
-        if (refusal is not null)
-            section.AddText($"Not for this model: {refusal}");
+        if (note.Length > 0)
+            section.AddText(note);
     }
 
     private static void AddViewer(HtmlSection section, Demo demo, DemoViewer viewer, string outDirectory, double pictureScale)
@@ -98,3 +139,14 @@ internal static class Tour
         section.AddModel($"{demo.Section}/{viewer.Name}.html", $"{demo.Section}/{viewer.Name}.png", viewer.Name);
     }
 }
+
+/// <summary>How a demo ended.</summary>
+internal enum DemoEndKind
+{
+    Done,
+    NotForThisModel,
+    Failed,
+}
+
+/// <summary>How a demo ended, and what is to be said about it.</summary>
+internal sealed record DemoEnd(DemoEndKind Kind, string Note);

@@ -43,6 +43,10 @@ internal static class ConsolePresenter
             yield return field;
         if (context.Repairs.Count > 0)
             yield return new("repairs", context.Repairs);
+        if (context.Ignored is not null)
+            yield return new("ignored", context.Ignored);
+        if (context.LeftOut is not null)
+            yield return new("left out", context.LeftOut);
         if (context.Seconds > 0)
             yield return new("seconds", context.Seconds);
     }

@@ -33,6 +33,7 @@ internal static class MeshFiles
         }
         progress?.Report(1);
         context.AddRepairs(report.Build);
+        context.NoteRead(report);
         return mesh;
     }
 
@@ -42,16 +43,17 @@ internal static class MeshFiles
         {
             Format = FormatOf(context.OutputFormat, path, "--output-format"),
             Encoding = EncodingOf(context),
+            MaterialLibraries = context.MaterialLibraries,
         };
         if (path == "-")
         {
             using Stream output = context.Streams.OpenOutput();
-            MeshFile.Write(mesh, output, options.Format!.Value, options, null, context.CancellationToken);
+            context.NoteWritten(MeshFile.Write(mesh, output, options.Format!.Value, options, null, context.CancellationToken));
             context.OutputTaken = true;
             return;
         }
         IProgress<double>? progress = context.Progress("writing");
-        MeshFile.Write(mesh, path, options, progress, context.CancellationToken);
+        context.NoteWritten(MeshFile.Write(mesh, path, options, progress, context.CancellationToken));
         progress?.Report(1);
     }
 

@@ -73,8 +73,9 @@ internal static class MlabApp
         {
             Parallelism.MaxThreads = 0;
         }
-        if (context.Json && !context.OutputTaken)
-            PrintJson(ResultOf(verb, context), output);
+        // Standard output may hold a mesh; the result then goes where it is in nobody's way.
+        if (context.Json)
+            PrintJson(ResultOf(verb, context), context.OutputTaken ? error : output);
         else
             ConsolePresenter.Print(verb, context, context.OutputTaken ? error : output);
         return context.ExitStatus;
@@ -91,6 +92,10 @@ internal static class MlabApp
             all.Add(name, value);
         if (context.Repairs.Count > 0)
             all.Add("repairs", context.Repairs);
+        if (context.Ignored is not null)
+            all.Add("ignored", context.Ignored);
+        if (context.LeftOut is not null)
+            all.Add("leftOut", context.LeftOut);
         return all.Add("seconds", context.Seconds);
     }
 

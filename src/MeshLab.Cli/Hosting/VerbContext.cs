@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Diagnostics;
+using MeshLab.IO;
 using MeshLab.Structure;
 using Spectre.Console;
 using Spectre.Console.Rendering;
@@ -11,6 +12,8 @@ internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWri
 {
     private readonly Stopwatch stopwatch = new();
     private readonly List<IRenderable> tables = [];
+    private readonly SortedDictionary<string, long> ignored = new(StringComparer.Ordinal);
+    private readonly SortedDictionary<string, long> leftOut = new(StringComparer.Ordinal);
 
     /// <summary>The result's own fields, in the order of the contract.</summary>
     public ResultFields Result { get; } = new();
@@ -23,6 +26,15 @@ internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWri
 
     /// <summary>What reading skipped or split.</summary>
     public List<ResultFields> Repairs { get; } = [];
+
+    /// <summary>What reading met and has no use for, by keyword; null if nothing.</summary>
+    public ResultFields? Ignored => Fields(ignored);
+
+    /// <summary>What the written format has no place for, and of how many elements; null if nothing.</summary>
+    public ResultFields? LeftOut => Fields(leftOut);
+
+    /// <summary>The material libraries that the first mesh read names; one written as OBJ names them again.</summary>
+    public IReadOnlyList<string> MaterialLibraries { get; private set; } = [];
 
     /// <summary>0 unless the verb says otherwise: 1 for "no".</summary>
     public int ExitStatus { get; set; }
@@ -96,6 +108,43 @@ internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWri
                 .Add("element", repair.Element)
                 .Add("message", repair.Message));
         }
+    }
+
+    /// <summary>Takes over what a reader found beside the mesh.</summary>
+    public void NoteRead(MeshReadReport report)
+    {
+        if (Input is null)
+            MaterialLibraries = report.MaterialLibraries;
+        foreach ((string keyword, int count) in report.Ignored)
+            Count(ignored, keyword, count);
+        Count(ignored, "weights", report.IgnoredWeights);
+        Count(ignored, "attributes that are not finite", report.ReplacedAttributes);
+        Count(ignored, "trailing bytes", report.TrailingBytes);
+    }
+
+    /// <summary>Takes over what a writer had no place for.</summary>
+    public void NoteWritten(MeshWriteReport report)
+    {
+        foreach ((string what, int count) in report.LeftOut)
+            Count(leftOut, what, count);
+        Count(leftOut, "polygons (cut into triangles)", report.TriangulatedFaces);
+        Count(leftOut, "double precision (rounded vertices)", report.RoundedVertices);
+    }
+
+    private static void Count(SortedDictionary<string, long> counts, string what, long count)
+    {
+        if (count > 0)
+            counts[what] = counts.GetValueOrDefault(what) + count;
+    }
+
+    private static ResultFields? Fields(SortedDictionary<string, long> counts)
+    {
+        if (counts.Count == 0)
+            return null;
+        var fields = new ResultFields();
+        foreach ((string what, long count) in counts)
+            fields.Add(what, count);
+        return fields;
     }
 
     /// <summary>Runs the algorithm on the clock; reading and writing stay outside.</summary>

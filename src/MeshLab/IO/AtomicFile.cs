@@ -21,11 +21,14 @@ internal static class AtomicFile
         // Renaming would replace a file that may not be written.
         if (File.Exists(path))
             new FileStream(path, FileMode.Open, FileAccess.Write).Dispose();
-        string temporary = Path.Combine(Path.GetDirectoryName(path)!, $".{Path.GetFileName(path)}.{Path.GetRandomFileName()}.tmp");
+        string folder = Path.GetDirectoryName(path)!;
+        if (!Directory.Exists(folder))
+            throw new DirectoryNotFoundException($"'{path}' cannot be written: there is no directory '{folder}'.");
+        string temporary = Path.Combine(folder, $".{Path.GetFileName(path)}.{Path.GetRandomFileName()}.tmp");
         bool isWhole = false;
         try
         {
-            using (FileStream stream = new(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 0))
+            using (FileStream stream = Create(temporary, path, folder))
                 write(stream);
             if (!OperatingSystem.IsWindows() && File.Exists(path))
                 File.SetUnixFileMode(temporary, File.GetUnixFileMode(path));
@@ -36,6 +39,19 @@ internal static class AtomicFile
         {
             if (!isWhole)
                 File.Delete(temporary);
+        }
+    }
+
+    /// <summary>Nobody knows the temporary file's name; an error is about the file that was asked for.</summary>
+    private static FileStream Create(string temporary, string path, string folder)
+    {
+        try
+        {
+            return new FileStream(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 0);
+        }
+        catch (UnauthorizedAccessException error)
+        {
+            throw new UnauthorizedAccessException($"'{path}' cannot be written: access to the directory '{folder}' is denied.", error);
         }
     }
 }

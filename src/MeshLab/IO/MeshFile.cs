@@ -134,13 +134,14 @@ public static class MeshFile
     /// <param name="options">How; null for the defaults.</param>
     /// <param name="progress">Told from 0 to 1 how far writing is.</param>
     /// <param name="cancellationToken">Ends writing with an <see cref="OperationCanceledException"/>; what was there stays.</param>
+    /// <returns>What the format has no place for.</returns>
     /// <exception cref="ArgumentException">The extension is not known, the encoding is not of the format, or a coordinate is too large for single precision.</exception>
     /// <exception cref="IOException">The file cannot be written.</exception>
-    public static void Write(
+    public static MeshWriteReport Write(
         Mesh mesh, string path, MeshWriteOptions? options = null, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
     {
         ArgumentNullException.ThrowIfNull(mesh);
-        WriteData(MeshDataConversion.Gather(mesh, sharePositions: true), path, options, progress, cancellationToken);
+        return WriteData(MeshDataConversion.Gather(mesh, sharePositions: true), path, options, progress, cancellationToken);
     }
 
     /// <summary>Writes a mesh to a stream.</summary>
@@ -151,7 +152,7 @@ public static class MeshFile
     /// <param name="options">How; null for the defaults.</param>
     /// <param name="progress">Told from 0 to 1 how far writing is.</param>
     /// <param name="cancellationToken">Ends writing with an <see cref="OperationCanceledException"/>.</param>
-    public static void Write(
+    public static MeshWriteReport Write(
         Mesh mesh,
         Stream stream,
         MeshFormat format,
@@ -160,7 +161,7 @@ public static class MeshFile
         CancellationToken cancellationToken = default)
     {
         ArgumentNullException.ThrowIfNull(mesh);
-        WriteData(MeshDataConversion.Gather(mesh, sharePositions: true), stream, format, options, progress, cancellationToken);
+        return WriteData(MeshDataConversion.Gather(mesh, sharePositions: true), stream, format, options, progress, cancellationToken);
     }
 
     /// <summary>Writes raw data, manifold or not.</summary>
@@ -170,7 +171,7 @@ public static class MeshFile
     /// <param name="options">How; null for the defaults.</param>
     /// <param name="progress">Told from 0 to 1 how far writing is.</param>
     /// <param name="cancellationToken">Ends writing with an <see cref="OperationCanceledException"/>; what was there stays.</param>
-    public static void WriteData(
+    public static MeshWriteReport WriteData(
         MeshData data, string path, MeshWriteOptions? options = null, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
     {
         ArgumentNullException.ThrowIfNull(data);
@@ -190,6 +191,7 @@ public static class MeshFile
             using GZipStream packed = new(stream, CompressionLevel.Optimal, leaveOpen: true);
             Format(data, Over(packed), format, encoding, options);
         });
+        return FormatLosses.Of(data, format, encoding);
     }
 
     /// <summary>Writes raw data to a stream.</summary>
@@ -200,7 +202,7 @@ public static class MeshFile
     /// <param name="options">How; null for the defaults.</param>
     /// <param name="progress">Told from 0 to 1 how far writing is.</param>
     /// <param name="cancellationToken">Ends writing with an <see cref="OperationCanceledException"/>.</param>
-    public static void WriteData(
+    public static MeshWriteReport WriteData(
         MeshData data,
         Stream stream,
         MeshFormat format,
@@ -211,7 +213,9 @@ public static class MeshFile
         ArgumentNullException.ThrowIfNull(data);
         ArgumentNullException.ThrowIfNull(stream);
         options ??= new MeshWriteOptions();
-        Format(data, new BlockWriter(stream, progress, cancellationToken), format, ChooseEncoding(format, options.Encoding), options);
+        MeshEncoding encoding = ChooseEncoding(format, options.Encoding);
+        Format(data, new BlockWriter(stream, progress, cancellationToken), format, encoding, options);
+        return FormatLosses.Of(data, format, encoding);
     }
 
     private static bool IsPacked(string path) => path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase);

@@ -32,7 +32,7 @@ public sealed record MeshReadReport
     /// <summary>Numbers of colours, normals and texture coordinates that were not finite: colours became white, the others 0.</summary>
     public long ReplacedAttributes { get; init; }
 
-    /// <summary>Bytes behind the end of binary data.</summary>
+    /// <summary>Bytes of padding behind the end of binary data, too few or too empty to be more of it.</summary>
     public long TrailingBytes { get; init; }
 
     /// <summary>How many vertices of an STL were joined with an earlier one.</summary>

@@ -123,11 +123,13 @@ internal ref struct PlyCursor
         }
     }
 
-    /// <summary>After the last element: text must end, binary data may be followed by bytes, which are counted.</summary>
+    /// <summary>After the last element the file must end, or a count in the header is too small. Blanks and zeros behind binary data are padding, and counted.</summary>
     public void Finish()
     {
         if (!IsText)
         {
+            if (file[position..].ContainsAnyExcept(" \t\r\n\0"u8))
+                throw context.BinaryError(position, $"{Remaining} more bytes", "the end of the file after the instances that the header announces");
             context.TrailingBytes = Remaining;
             return;
         }

@@ -33,7 +33,7 @@ internal static class StlReader
             return true;
         ReadOnlySpan<byte> text = file.TrimStart("\uFEFF \t\r\n"u8);
         bool beginsAsText = text.Length >= 5 && Ascii.EqualsIgnoreCase(text[..5], "solid"u8);
-        return beginsAsText ? file.Contains((byte)0) : file.Length >= HeaderBytes;
+        return file.Length >= HeaderBytes && (!beginsAsText || file.Contains((byte)0));
     }
 
     private static uint FacetCount(ReadOnlySpan<byte> file) => BinaryPrimitives.ReadUInt32LittleEndian(file[80..]);
@@ -44,6 +44,9 @@ internal static class StlReader
         long count = FacetCount(file), present = (file.Length - HeaderBytes) / FacetBytes;
         if (count > present)
             throw context.BinaryError(file.Length, "the end of the file", $"facet {present + 1} of {count}");
+        // A few bytes behind the facets are somebody's padding; a whole facet's worth means that the count is too small.
+        if (count < present)
+            throw context.BinaryError(HeaderBytes + count * FacetBytes, $"{file.Length - HeaderBytes - count * FacetBytes} more bytes", $"the end of the file after {count} facets");
         context.TrailingBytes = file.Length - HeaderBytes - count * FacetBytes;
 
         Vector3D[] corners = new Vector3D[3 * count];

@@ -308,8 +308,8 @@ internal static class SplitCheck
         Require(mesh.Outgoing[record.Kept] >= 0, $"v{record.Kept} is not there");
         Require(record.Left.Face >= 0 || record.Right.Face >= 0, $"a split of v{record.Kept} without a face");
         Require(record.Left.Face != record.Right.Face, $"f{record.Left.Face} on both sides");
-        CheckSide(mesh, record, record.Left);
-        CheckSide(mesh, record, record.Right);
+        CheckSide(mesh, record, record.Left, record.Right);
+        CheckSide(mesh, record, record.Right, record.Left);
         Require(record.Left.Face < 0 || record.Right.Face < 0 || record.Left.Gone >> 1 != record.Right.Gone >> 1, "one edge on both sides");
     }
 
@@ -336,16 +336,15 @@ internal static class SplitCheck
         }
     }
 
-    private static void CheckSide(Mesh mesh, SplitRecord record, SplitSide side)
+    private static void CheckSide(Mesh mesh, SplitRecord record, SplitSide side, SplitSide other)
     {
         Require(side.Kept >= 0 && side.Gone >= 0, "a side without half-edges");
-        Require(!mesh.IsDeletedEdge(side.Kept >> 1), $"e{side.Kept >> 1} is not there");
         if (side.Face < 0)
         {
-            Require(!mesh.IsDeletedEdge(side.Gone >> 1), $"e{side.Gone >> 1} is not there");
-            Require(mesh.Next[side.Gone] == side.Kept && mesh.FaceOf[side.Kept] < 0, $"h{side.Gone} is not before h{side.Kept} on a border");
+            CheckBorder(mesh, side, other);
             return;
         }
+        Require(!mesh.IsDeletedEdge(side.Kept >> 1), $"e{side.Kept >> 1} is not there");
         Require(mesh.IsDeletedFace(side.Face), $"f{side.Face} is there already");
         Require(mesh.IsDeletedEdge(side.Gone >> 1) && side.Gone >> 1 != record.HalfEdge >> 1, $"e{side.Gone >> 1} is there already");
         Require(side.Apex >= 0 && mesh.Outgoing[side.Apex] >= 0, $"v{side.Apex} is not there");
@@ -355,6 +354,16 @@ internal static class SplitCheck
         Require(
             side.FaceHalfEdge == side.Kept || side.FaceHalfEdge == side.Gone || side.FaceHalfEdge >> 1 == record.HalfEdge >> 1,
             $"h{side.FaceHalfEdge} is not of f{side.Face}");
+    }
+
+    /// <summary>A border's half-edge before or after the contracted one may lie on the edge that comes back with the triangle of the other side.</summary>
+    private static void CheckBorder(Mesh mesh, SplitSide side, SplitSide other)
+    {
+        bool goneReturns = other.Face >= 0 && side.Gone >> 1 == other.Gone >> 1, keptReturns = other.Face >= 0 && side.Kept >> 1 == other.Gone >> 1;
+        Require(goneReturns || (!mesh.IsDeletedEdge(side.Gone >> 1) && mesh.FaceOf[side.Gone] < 0), $"h{side.Gone} is not on a border");
+        Require(keptReturns || (!mesh.IsDeletedEdge(side.Kept >> 1) && mesh.FaceOf[side.Kept] < 0), $"h{side.Kept} is not on a border");
+        Require(goneReturns || keptReturns || mesh.Next[side.Gone] == side.Kept, $"h{side.Gone} is not before h{side.Kept} on a border");
+        Require(!goneReturns || !keptReturns, $"e{other.Gone >> 1} twice on a border");
     }
 
     private static void Require(bool condition, string found)

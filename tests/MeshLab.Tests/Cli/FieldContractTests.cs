@@ -116,11 +116,37 @@ public sealed class FieldContractTests : IDisposable
 
         Assert.Equal(0, status);
         Assert.Equal("", output.ToString());
+        // The mesh has standard output, so the result is on standard error.
+        Assert.Equal("convert", new CliCall(0, error.ToString(), "").Object().GetProperty("command").GetString());
         using var back = new MemoryStream(written.ToArray());
         Assert.Equal(Models.Create("torus").StateHash(), MeshFile.Read(back, MeshFormat.Off).StateHash());
 
         Assert.Equal(0, MlabApp.Run(["info", "-", "--input-format", "obj", "--json"], output, error, streams));
         Assert.Equal(0, new CliCall(0, output.ToString(), "").Object().GetProperty("eulerCharacteristic").GetInt32());
+    }
+
+    [Fact]
+    public void Convert_MaterialsAndGroups_SurviveOrAreListed()
+    {
+        string input = folder.Text("full.obj", "mtllib colours.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng left\nusemtl red\nf 1 2 3\nusemtl green\nf 1 3 4\nl 1 2\nl 2 3\n");
+
+        JsonElement same = CliCall.Json(0, "convert", input, folder.PathOf("again.obj"));
+        Assert.Equal(2, same.GetProperty("ignored").GetProperty("l").GetInt32());
+        Assert.False(same.TryGetProperty("leftOut", out _));
+        string[] lines = File.ReadAllLines(folder.PathOf("again.obj"));
+        Assert.All((string[])["mtllib colours.mtl", "g left", "usemtl red", "usemtl green"], line => Assert.Contains(line, lines, StringComparer.Ordinal));
+
+        CliCall.Json(0, "convert", folder.PathOf("again.obj"), folder.PathOf("through.ply"));
+        CliCall.Json(0, "convert", folder.PathOf("through.ply"), folder.PathOf("back.obj"));
+        Assert.Equal(lines.Where(line => !line.StartsWith("mtllib", StringComparison.Ordinal)), File.ReadAllLines(folder.PathOf("back.obj")), StringComparer.Ordinal);
+
+        foreach (string name in (string[])["lost.off", "lost.stl", "lost.glb"])
+        {
+            JsonElement left = CliCall.Json(0, "convert", folder.PathOf("again.obj"), folder.PathOf(name)).GetProperty("leftOut");
+            Assert.Equal(2, left.GetProperty("labels of material").GetInt32());
+            Assert.Equal(2, left.GetProperty("labels of group").GetInt32());
+            Assert.Contains("labels of material", CliCall.Run("convert", folder.PathOf("again.obj"), folder.PathOf(name)).Output, StringComparison.Ordinal);
+        }
     }
 
     [Fact]

@@ -83,7 +83,9 @@ public sealed class MeshFileTests : IDisposable
         Directory.CreateDirectory(PathOf("folder.obj"));
         Assert.Contains("is a directory", Assert.Throws<IOException>(() => MeshFile.Read(PathOf("folder.obj"))).Message, StringComparison.Ordinal);
         Assert.Contains("is a directory", Assert.Throws<IOException>(() => MeshFile.Write(new Mesh(), PathOf("folder.obj"))).Message, StringComparison.Ordinal);
-        Assert.Throws<DirectoryNotFoundException>(() => MeshFile.Write(new Mesh(), PathOf("no/such/a.obj")));
+        DirectoryNotFoundException error = Assert.Throws<DirectoryNotFoundException>(() => MeshFile.Write(new Mesh(), PathOf("no/such/a.obj")));
+        Assert.Contains("there is no directory", error.Message, StringComparison.Ordinal);
+        Assert.DoesNotContain(".tmp", error.Message, StringComparison.Ordinal);
     }
 
     [SkippableFact]

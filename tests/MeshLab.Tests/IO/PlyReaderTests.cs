@@ -56,6 +56,25 @@ public class PlyReaderTests
     }
 
     [Theory]
+    [InlineData(new byte[] { 10 }, true)]
+    [InlineData(new byte[] { 0, 0, 32, 13, 10 }, true)]
+    [InlineData(new byte[] { 1, 2, 3 }, false)]
+    [InlineData(new byte[] { 0, 7 }, false)]
+    public void ReadData_BytesBehindBinaryData_ArePaddingOrAnError(byte[] more, bool isPadding)
+    {
+        string header = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty uchar y\nproperty uchar z\nend_header\n";
+        byte[] bytes = [.. Encoding.ASCII.GetBytes(header), 1, 2, 3, .. more];
+        if (isPadding)
+        {
+            ReadData(bytes, MeshFormat.Ply, out MeshReadReport report);
+            Assert.Equal(more.Length, report.TrailingBytes);
+            return;
+        }
+        MeshFormatException error = Assert.Throws<MeshFormatException>(() => ReadData(bytes, MeshFormat.Ply, out _));
+        Assert.Equal((0, header.Length + 3), (error.Line, error.Column));
+    }
+
+    [Theory]
     [InlineData("plx\n", 1, 1)]
     [InlineData("ply\nformat asci 1.0\n", 2, 8)]
     [InlineData("ply\nformat ascii 1.0\nproperty float x\n", 3, 1)]

@@ -72,6 +72,35 @@ public class StlReaderTests
         Assert.Equal((0, 134), (error.Line, error.Column));
     }
 
+    /// <summary>Shorter than a binary header, begins as text, and has a zero byte, which only binary files have.</summary>
+    [Theory]
+    [InlineData("solid a\0b\nendsolid\n")]
+    [InlineData("solid \0")]
+    [InlineData("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 \0 0")]
+    public void ReadData_ZeroByteInShortText_IsRefused(string text)
+    {
+        try
+        {
+            Assert.Equal(0, ReadData(text, MeshFormat.Stl).FaceCount);
+        }
+        catch (MeshFormatException error)
+        {
+            Assert.True(error.Line >= 1, error.Message);
+        }
+    }
+
+    /// <summary>Some programs write the count 0 and never correct it: to believe it would lose every face.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(2)]
+    public void ReadData_BinaryWithMoreFacetsThanItsCount_IsRefusedBehindTheLast(int count)
+    {
+        byte[] bytes = Binary(3, "binary");
+        BinaryPrimitives.WriteInt32LittleEndian(bytes.AsSpan(80), count);
+        MeshFormatException error = Assert.Throws<MeshFormatException>(() => ReadData(bytes, MeshFormat.Stl, out _));
+        Assert.Equal((0, 84 + 50 * count), (error.Line, error.Column));
+    }
+
     [Fact]
     public void ReadData_BinaryNaN_SaysTheByte()
     {

@@ -142,6 +142,31 @@ public class ProgressiveMeshTests
         Assert.Equal(progressive.Mesh.StateHash(), reader.Progressive.Mesh.StateHash());
     }
 
+    /// <summary>At a corner of the border a contracted edge's triangle has two edges on it.</summary>
+    [Theory]
+    [InlineData(9, 7)]
+    [InlineData(4, 3)]
+    [InlineData(24, 15)]
+    public void Load_OpenMeshDownToItsBase_RestoresEveryState(int m, int n)
+    {
+        Mesh mesh = MeshLab.Generation.Grids.Grid(m, n);
+        ProgressiveMesh progressive = ProgressiveMesh.Create(mesh, new() { TargetFaces = 1 });
+        using var stream = new MemoryStream();
+        progressive.Save(stream);
+        stream.Position = 0;
+
+        ProgressiveMesh loaded = ProgressiveMeshFile.Load(stream);
+
+        Assert.Equal(mesh.StateHash(), loaded.Mesh.StateHash());
+        for (int faces = loaded.MaxFaces; faces >= loaded.MinFaces; faces--)
+        {
+            loaded.GoToFaces(faces);
+            progressive.GoToFaces(faces);
+            Assert.Equal(Live(progressive.Mesh), Live(loaded.Mesh));
+            Assert.Empty(loaded.Mesh.Validate());
+        }
+    }
+
     [Fact]
     public void Load_DamagedAnywhere_SaysSoOrGivesAValidMesh()
     {
