@@ -62,16 +62,12 @@ internal sealed class ByteBuffer
     /// <summary>A blank and an integer.</summary>
     public void AppendBlankAnd(int number)
     {
-        Append((byte)' ');
-        AppendInteger(number);
+        Span<byte> free = Reserve(LongestNumber);
+        free[0] = (byte)' ';
+        Length += 1 + ShortestDecimal.Format(number, free[1..]);
     }
 
-    public void AppendInteger(int number)
-    {
-        Span<byte> free = Reserve(LongestNumber);
-        number.TryFormat(free, out int length, default, CultureInfo.InvariantCulture);
-        Length += length;
-    }
+    public void AppendInteger(int number) => Length += ShortestDecimal.Format(number, Reserve(LongestNumber));
 
     public void AppendBinary(double number, bool isBig)
     {

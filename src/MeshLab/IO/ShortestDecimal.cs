@@ -36,6 +36,21 @@ internal static class ShortestDecimal
         return sign + Write(digits, exponent, destination[sign..]);
     }
 
+    /// <summary>Writes an integer.</summary>
+    /// <param name="value">The number.</param>
+    /// <param name="destination">At least 11 bytes.</param>
+    /// <returns>The number of bytes written.</returns>
+    public static int Format(int value, Span<byte> destination)
+    {
+        int sign = value < 0 ? 1 : 0;
+        if (sign != 0)
+            destination[0] = (byte)'-';
+        ulong magnitude = (ulong)Math.Abs((long)value);
+        int count = CountDigits(magnitude);
+        WriteDigits(magnitude, destination.Slice(sign, count));
+        return sign + count;
+    }
+
     private static int FormatByRuntime(double value, Span<byte> destination)
     {
         value.TryFormat(destination, out int length, default, CultureInfo.InvariantCulture);
@@ -165,23 +180,18 @@ internal static class ShortestDecimal
         return length + places;
     }
 
+    /// <summary>log₁₀ from log₂: right or one too large, as a comparison with the power of ten tells.</summary>
     private static int CountDigits(ulong digits)
     {
-        int count = 1;
-        if (digits >= 10_000_000_000)
-        {
-            digits /= 10_000_000_000;
-            count += 10;
-        }
-
-        while (digits >= 10)
-        {
-            digits /= 10;
-            count++;
-        }
-
-        return count;
+        int guess = ((BitOperations.Log2(digits | 1) + 1) * 1233) >> 12;
+        return guess + (digits >= SmallPowersOfTen[guess] ? 1 : 0) + (digits == 0 ? 1 : 0);
     }
+
+    private static ReadOnlySpan<ulong> SmallPowersOfTen =>
+    [
+        1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000, 1_000_000_000, 10_000_000_000, 100_000_000_000, 1_000_000_000_000, 10_000_000_000_000,
+        100_000_000_000_000, 1_000_000_000_000_000, 10_000_000_000_000_000, 100_000_000_000_000_000, 1_000_000_000_000_000_000, 10_000_000_000_000_000_000,
+    ];
 
     private static void WriteDigits(ulong digits, Span<byte> destination)
     {
