@@ -151,7 +151,7 @@ internal sealed class SimplifyVerb : Verb
             Report(context, context.Time(() => mesh.CollapseCells(options, context.Progress("clustering"), context.CancellationToken)));
             return mesh;
         }
-        ClusteringResult result = context.Time(() => mesh.ClusterVertices(options, context.CancellationToken));
+        ClusteringResult result = context.Time(() => mesh.ClusterVertices(options, context.Progress("clustering"), context.CancellationToken));
         context.Result.Add("stopReason", "cells").Add("cells", result.Cells).Add("collapsedFaces", result.CollapsedFaces)
             .Add("duplicateFaces", result.DuplicateFaces).Add("skippedFaces", result.Report.Repairs.Count);
         return result.Mesh;

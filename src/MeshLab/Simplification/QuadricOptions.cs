@@ -103,7 +103,7 @@ public sealed record QuadricOptions
     /// <summary>Whether the plane of a face weighs as much as its area; otherwise every plane weighs 1, as in the book's program.</summary>
     public bool AreaWeights { get; init; } = true;
 
-    /// <summary>Whether a face may turn over (翻转). Otherwise a contraction that turns a face by more than acos 0.2 = 78° is refused.</summary>
+    /// <summary>Whether a face may turn over (翻转). Otherwise a contraction that turns a face by more than acos 0.05 = 87° is refused.</summary>
     public bool AllowFlips { get; init; }
 
     /// <summary>Where new vertices may lie.</summary>

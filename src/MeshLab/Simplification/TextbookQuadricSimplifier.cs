@@ -8,7 +8,7 @@ namespace MeshLab.Simplification;
 /// <remarks>Written to be read beside Garland and Heckbert 1997, §4. The other modes give the same kind of result some thirty times faster.</remarks>
 internal sealed class TextbookQuadricSimplifier
 {
-    private const double LeastTurnCosine = 0.2;
+    private const double LeastTurnCosine = 0.05;
     private readonly Mesh mesh;
     private readonly QuadricOptions options;
     private readonly TraceLog? trace;

@@ -1,4 +1,3 @@
-using System.Globalization;
 using MeshLab.Editing;
 using MeshLab.Numerics;
 using MeshLab.Structure;
@@ -65,27 +64,52 @@ public sealed record ClusteringResult(Mesh Mesh, int Cells, int CollapsedFaces, 
 /// </remarks>
 public static class VertexClustering
 {
-    private const int BitsPerAxis = 21;
+    /// <summary>Smaller meshes are not worth a second thread.</summary>
+    private const int FacesForTwoParts = 20_000;
 
     extension(Mesh mesh)
     {
         /// <summary>A new mesh with one vertex per cell.</summary>
         /// <exception cref="ArgumentException">Neither size nor number of cells is set, or the cells are too small to be numbered.</exception>
         /// <exception cref="TopologyException">The policy is to throw, and the faces are no manifold.</exception>
-        public ClusteringResult ClusterVertices(ClusteringOptions options, CancellationToken cancellationToken = default)
+        public ClusteringResult ClusterVertices(
+            ClusteringOptions options, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
         {
             ArgumentNullException.ThrowIfNull(options);
             SimplificationInput.CheckTriangles(mesh);
-            var grid = Grid.For(mesh, options);
-            int[] cellOf = NumberCells(mesh, grid, out int cells);
-            cancellationToken.ThrowIfCancellationRequested();
+            bool optimum = options.Representative == CellRepresentative.QuadricOptimum;
+
+            // 1. The cells.
+            var grid = CellGrid.For(mesh, options);
+            int[] cellOf = grid.NumberCells(mesh, out int cells);
             Vector3D[] positions = Means(mesh, cellOf, cells);
-            if (options.Representative == CellRepresentative.QuadricOptimum)
-                MoveToOptimum(mesh, grid, cellOf, positions);
-            cancellationToken.ThrowIfCancellationRequested();
-            int[] corners = DistinctFaces(mesh, cellOf, out int collapsed, out int duplicates);
-            Mesh result = MeshBuilder.FromPolygons(PolygonSoup.FromTriangles(positions, corners), options.NonManifold, out BuildReport report);
-            return new(result, cells, collapsed, duplicates, report);
+            Report(0.3);
+
+            // 2. What the faces become, and their planes, in a few runs at once.
+            Part[] parts = new Part[mesh.FaceSlots < FacesForTwoParts ? 1 : 2];
+            int run = (mesh.FaceSlots + parts.Length - 1) / parts.Length;
+            Parallelism.ForBlocks(parts.Length, 1, (i, _) =>
+            {
+                int first = i * run, end = Math.Min(first + run, mesh.FaceSlots);
+                parts[i] = new Part(end - first, cells, optimum);
+                parts[i].Add(mesh, cellOf, grid.Origin, first, end);
+            });
+            if (optimum)
+                MoveToOptimum(grid, parts, positions);
+            Report(0.6);
+
+            // 3. A mesh of the faces that are left.
+            int[] corners = DistinctFaces(parts, cells, out int duplicates);
+            var soup = new PolygonSoup(positions, PolygonSoup.TriangleStarts(corners.Length, nameof(mesh)), corners);
+            Mesh result = MeshBuilder.FromSoup(soup, options.NonManifold, out BuildReport report);
+            progress?.Report(1);
+            return new(result, cells, parts.Sum(part => part.CollapsedFaces), duplicates, report);
+
+            void Report(double done)
+            {
+                cancellationToken.ThrowIfCancellationRequested();
+                progress?.Report(done);
+            }
         }
 
         /// <summary>The book's form: contracts edges within a cell, as long as that is legal, to the mean of their vertices. Changes the mesh and keeps its topology.</summary>
@@ -97,7 +121,7 @@ public static class VertexClustering
         {
             ArgumentNullException.ThrowIfNull(options);
             SimplificationInput.CheckTriangles(mesh);
-            int[] cellOf = NumberCells(mesh, Grid.For(mesh, options), out _);
+            int[] cellOf = CellGrid.For(mesh, options).NumberCells(mesh, out _);
             int before = mesh.Faces.Count, collapses = 0, refused, done;
             var members = new int[mesh.VertexSlots];
             Array.Fill(members, 1);
@@ -132,18 +156,6 @@ public static class VertexClustering
         }
     }
 
-    private static int[] NumberCells(Mesh mesh, Grid grid, out int count)
-    {
-        var table = new KeyNumbers(mesh.Vertices.Count);
-        int[] cellOf = GC.AllocateUninitializedArray<int>(mesh.VertexSlots);
-        ReadOnlySpan<Vector3D> positions = mesh.Positions;
-        ReadOnlySpan<int> outgoing = mesh.Outgoing;
-        for (int v = 0; v < cellOf.Length; v++)
-            cellOf[v] = outgoing[v] >= 0 ? table.NumberOf(grid.KeyOf(positions[v])) : -1;
-        count = table.Count;
-        return cellOf;
-    }
-
     private static Vector3D[] Means(Mesh mesh, int[] cellOf, int cells)
     {
         var sums = new Vector3D[cells];
@@ -161,149 +173,98 @@ public static class VertexClustering
         return sums;
     }
 
-    private static void MoveToOptimum(Mesh mesh, Grid grid, int[] cellOf, Vector3D[] positions)
+    private static void MoveToOptimum(CellGrid grid, Part[] parts, Vector3D[] positions)
     {
-        var quadrics = new Quadric[positions.Length];
-        ReadOnlySpan<int> halfEdgeOf = mesh.HalfEdgeOf, target = mesh.Target, next = mesh.Next, previous = mesh.Previous;
-        ReadOnlySpan<Vector3D> from = mesh.Positions;
-        for (int f = 0; f < halfEdgeOf.Length; f++)
-        {
-            int h = halfEdgeOf[f];
-            if (h < 0)
-                continue;
-            int i = target[h], j = target[next[h]], k = target[previous[h]];
-            Vector3D a = from[i] - grid.Origin, normal = Vector3D.Cross(from[j] - from[i], from[k] - from[i]);
-            double length = normal.Length;
-            if (!(length > 0))
-                continue;
-            normal /= length;
-            Quadric plane = Quadric.OfPlane(normal, -Vector3D.Dot(normal, a), length / 2);
-            quadrics[cellOf[i]].Add(in plane);
-            if (cellOf[j] != cellOf[i])
-                quadrics[cellOf[j]].Add(in plane);
-            if (cellOf[k] != cellOf[i] && cellOf[k] != cellOf[j])
-                quadrics[cellOf[k]].Add(in plane);
-        }
         for (int c = 0; c < positions.Length; c++)
         {
-            if (quadrics[c].TryMinimize(out Vector3D best, out _) && grid.KeyOf(best + grid.Origin) == grid.KeyOf(positions[c]))
+            Quadric sum = parts[0].Quadrics[c];
+            for (int i = 1; i < parts.Length; i++)
+                sum.Add(in parts[i].Quadrics[c]);
+            if (sum.TryMinimize(out Vector3D best, out _) && grid.AreTogether(best + grid.Origin, positions[c]))
                 positions[c] = best + grid.Origin;
         }
     }
 
-    private static int[] DistinctFaces(Mesh mesh, int[] cellOf, out int collapsed, out int duplicates)
+    /// <summary>The faces that three different cells are left of, in the order of the parts, without repetitions.</summary>
+    private static int[] DistinctFaces(Part[] parts, int cells, out int duplicates)
     {
-        var corners = new List<int>();
-        ReadOnlySpan<int> halfEdgeOf = mesh.HalfEdgeOf, target = mesh.Target, next = mesh.Next, previous = mesh.Previous;
-        (collapsed, duplicates) = (0, 0);
-        var seen = new HashSet<(int, int, int)>();
-        for (int f = 0; f < halfEdgeOf.Length; f++)
+        int most = parts.Sum(part => part.CornerCount);
+        int[] corners = GC.AllocateUninitializedArray<int>(most);
+        // Per cell a list of the faces of which it is the lowest: its first face plus one, and per face the next.
+        var first = new int[cells];
+        int[] following = GC.AllocateUninitializedArray<int>(most / 3);
+        int faces = 0;
+        foreach (Part part in parts)
         {
-            int h = halfEdgeOf[f];
-            if (h < 0)
-                continue;
-            int a = cellOf[target[previous[h]]], b = cellOf[target[h]], c = cellOf[target[next[h]]];
-            if (a == b || b == c || c == a)
+            for (int i = 0; i < part.CornerCount; i += 3)
             {
-                collapsed++;
-                continue;
+                int a = part.Corners[i], b = part.Corners[i + 1], c = part.Corners[i + 2], least = Math.Min(a, Math.Min(b, c));
+                int entry = first[least];
+                while (entry != 0 && !HasCorners(corners.AsSpan(3 * (entry - 1), 3), a, b, c))
+                    entry = following[entry - 1];
+                if (entry != 0)
+                    continue;
+                (corners[3 * faces], corners[3 * faces + 1], corners[3 * faces + 2]) = (a, b, c);
+                following[faces] = first[least];
+                first[least] = ++faces;
             }
-            int least = Math.Min(a, Math.Min(b, c)), most = Math.Max(a, Math.Max(b, c));
-            if (!seen.Add((least, a + b + c - least - most, most)))
-            {
-                duplicates++;
-                continue;
-            }
-            corners.AddRange([a, b, c]);
         }
-        return [.. corners];
+        duplicates = most / 3 - faces;
+        return corners[..(3 * faces)];
     }
 
-    private readonly struct Grid
+    private static bool HasCorners(ReadOnlySpan<int> face, int a, int b, int c) =>
+        face.Contains(a) && face.Contains(b) && face.Contains(c);
+
+    /// <summary>What a run of the faces contributes: runs depend on the mesh alone, so that sums have the same bits on every number of threads.</summary>
+    private sealed class Part(int faces, int cells, bool withQuadrics)
     {
-        private readonly Vector3D end;
-        private readonly double size;
+        /// <summary>Per cell the quadric of the run's faces at it; none if nobody asks.</summary>
+        public Quadric[] Quadrics { get; } = withQuadrics ? new Quadric[cells] : [];
 
-        private Grid(BoundingBox box, double size)
+        /// <summary>Three cells per face with three different ones.</summary>
+        public int[] Corners { get; } = GC.AllocateUninitializedArray<int>(3 * faces);
+
+        public int CornerCount { get; private set; }
+
+        public int CollapsedFaces { get; private set; }
+
+        public void Add(Mesh mesh, int[] cellOf, Vector3D origin, int firstFace, int endFace)
         {
-            Origin = box.Min;
-            end = box.Max;
-            this.size = size;
-        }
-
-        public Vector3D Origin { get; }
-
-        public static Grid For(Mesh mesh, ClusteringOptions options)
-        {
-            BoundingBox box = mesh.BoundingBox;
-            double size = options.CellSize ?? options.Cells switch
+            ReadOnlySpan<int> halfEdgeOf = mesh.HalfEdgeOf, target = mesh.Target, next = mesh.Next, previous = mesh.Previous;
+            ReadOnlySpan<Vector3D> positions = mesh.Positions;
+            for (int f = firstFace; f < endFace; f++)
             {
-                int cells => ShortestSide(box) / cells,
-                null => throw new ArgumentException("Set the size of the cells or their number.", nameof(options)),
-            };
-            // The numbers of cells, before anything is allocated.
-            double x = Along(box.Size.X, size), y = Along(box.Size.Y, size), z = Along(box.Size.Z, size);
-            if (!(Math.Max(x, Math.Max(y, z)) < 1 << BitsPerAxis))
-            {
-                throw new ArgumentException(
-                    string.Create(CultureInfo.InvariantCulture, $"Cells of size {size:G6} would number {x:G6} × {y:G6} × {z:G6}; at most {1 << BitsPerAxis} along a side can be told apart."),
-                    nameof(options));
+                int h = halfEdgeOf[f];
+                if (h < 0)
+                    continue;
+                int i = target[previous[h]], j = target[h], k = target[next[h]];
+                int a = cellOf[i], b = cellOf[j], c = cellOf[k];
+                if (Quadrics.Length > 0)
+                    AddPlane(positions[i] - origin, positions[j] - origin, positions[k] - origin, a, b, c);
+                if (a == b || b == c || c == a)
+                {
+                    CollapsedFaces++;
+                    continue;
+                }
+                (Corners[CornerCount], Corners[CornerCount + 1], Corners[CornerCount + 2]) = (a, b, c);
+                CornerCount += 3;
             }
-            return new(box, size);
         }
 
-        public long KeyOf(Vector3D p) =>
-            Cell(p.X, Origin.X, end.X) | Cell(p.Y, Origin.Y, end.Y) << BitsPerAxis | Cell(p.Z, Origin.Z, end.Z) << (2 * BitsPerAxis);
-
-        /// <summary>The number along an axis. The upper side of the box belongs to the last cell, not to an empty one beyond; what lies outside belongs to none.</summary>
-        private long Cell(double x, double first, double last)
+        private void AddPlane(Vector3D p, Vector3D q, Vector3D r, int a, int b, int c)
         {
-            double slack = 1e-9 * size;
-            if (x > last - slack && x <= last + slack)
-                x = Math.Max(first, last - slack);
-            return (long)Math.Floor((x - first) / size) & ((1L << BitsPerAxis) - 1);
-        }
-
-        private static double Along(double side, double size) => side == 0 ? 1 : Math.Ceiling(side / size);
-
-        private static double ShortestSide(BoundingBox box)
-        {
-            double shortest = double.PositiveInfinity;
-            foreach (double side in (ReadOnlySpan<double>)[box.Size.X, box.Size.Y, box.Size.Z])
-                shortest = side > 0 ? Math.Min(shortest, side) : shortest;
-            return double.IsFinite(shortest) ? shortest : 1;
-        }
-    }
-
-    /// <summary>Numbers keys by first appearance: open addressing, at most half full.</summary>
-    private sealed class KeyNumbers
-    {
-        private readonly long[] keys;
-        private readonly int[] numbers;
-        private readonly int shift;
-
-        public KeyNumbers(int most)
-        {
-            int bits = Math.Max(4, 33 - int.LeadingZeroCount(Math.Max(1, most)));
-            keys = new long[1 << bits];
-            numbers = new int[1 << bits];
-            Array.Fill(numbers, -1);
-            shift = 64 - bits;
-        }
-
-        public int Count { get; private set; }
-
-        public int NumberOf(long key)
-        {
-            int at = (int)((ulong)key * 0x9E3779B97F4A7C15 >> shift);
-            while (numbers[at] >= 0)
-            {
-                if (keys[at] == key)
-                    return numbers[at];
-                at = (at + 1) & (keys.Length - 1);
-            }
-            keys[at] = key;
-            return numbers[at] = Count++;
+            Vector3D normal = Vector3D.Cross(q - p, r - p);
+            double length = normal.Length;
+            if (!(length > 0))
+                return;
+            // The plane's distance squared, weighted by area: with n not of unit length, n·x + d is |n| times the distance.
+            Quadric plane = Quadric.OfPlane(normal, -Vector3D.Dot(normal, p), 0.5 / length);
+            Quadrics[a].Add(in plane);
+            if (b != a)
+                Quadrics[b].Add(in plane);
+            if (c != a && c != b)
+                Quadrics[c].Add(in plane);
         }
     }
 }

@@ -46,7 +46,7 @@ internal static class EdgeState
 internal sealed class WorkingMesh
 {
     /// <summary>A face may turn by acos of this at most; squared, since cosines are compared squared.</summary>
-    private const double LeastTurnCosineSquared = 0.2 * 0.2;
+    private const double LeastTurnCosineSquared = 0.05 * 0.05;
 
     /// <summary>As <see cref="Mesh.Outgoing"/> marks a deleted vertex.</summary>
     public const int DeletedVertex = -2;

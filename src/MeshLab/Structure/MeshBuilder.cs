@@ -101,10 +101,16 @@ public sealed class MeshBuilder
         }
         if (policy == NonManifoldPolicy.Throw)
             throw SoupDiagnosis.Explain(soup);
-        (PolygonSoup repaired, BuildReport repairs) = policy == NonManifoldPolicy.Skip
-            ? SoupRepair.Skip(soup)
-            : SoupRepair.Split(soup);
-        mesh = Connect(repaired) ?? throw SoupDiagnosis.Explain(repaired);
+        BuildReport repairs;
+        if (policy == NonManifoldPolicy.Skip)
+        {
+            mesh = SoupRepair.Skip(soup, Connect, out repairs);
+        }
+        else
+        {
+            (PolygonSoup repaired, repairs) = SoupRepair.Split(soup);
+            mesh = Connect(repaired) ?? throw SoupDiagnosis.Explain(repaired);
+        }
         report = repairs with { IsolatedVertices = CountIsolated(mesh) };
         return mesh;
     }

@@ -104,23 +104,12 @@ internal static class SoupDiagnosis
     /// <returns>Per corner the first corner of its fan.</returns>
     public static int[] FansOfCorners(PolygonSoup soup, out int[] fansAtVertex)
     {
-        var uses = new Dictionary<(int, int), (int Forward, int Backward, int Count)>();
-        ForEachCorner(soup, (c, n) =>
-        {
-            int from = soup.Corners[c], to = soup.Corners[n];
-            (int, int) key = from < to ? (from, to) : (to, from);
-            var use = uses.TryGetValue(key, out var known) ? known : (-1, -1, 0);
-            uses[key] = from < to ? (c, use.Item2, use.Item3 + 1) : (use.Item1, c, use.Item3 + 1);
-        });
-
         var fan = new int[soup.Corners.Length];
         for (int c = 0; c < fan.Length; c++)
             fan[c] = c;
         int[] following = Following(soup);
-        foreach (var (forward, backward, count) in uses.Values)
+        foreach (var (forward, backward) in ProperEdges(soup, following))
         {
-            if (count != 2 || forward < 0 || backward < 0)
-                continue;
             Join(fan, forward, following[backward]);
             Join(fan, backward, following[forward]);
         }
@@ -135,21 +124,40 @@ internal static class SoupDiagnosis
         return fan;
     }
 
+    /// <summary>The edges that are used once in either direction, as the two corners that they leave.</summary>
+    private static IEnumerable<(int Forward, int Backward)> ProperEdges(PolygonSoup soup, int[] following)
+    {
+        var edges = new EdgeTable(soup.Corners.Length);
+        // Corners plus one: zero says "none".
+        var uses = new (int Forward, int Backward, int Count)[soup.Corners.Length];
+        for (int c = 0; c < following.Length; c++)
+        {
+            int from = soup.Corners[c], to = soup.Corners[following[c]];
+            ref var use = ref uses[edges.NumberOf(Math.Min(from, to), Math.Max(from, to))];
+            if (from < to)
+                use.Forward = c + 1;
+            else
+                use.Backward = c + 1;
+            use.Count++;
+        }
+        for (int e = 0; e < edges.Count; e++)
+        {
+            var (forward, backward, count) = uses[e];
+            if (count == 2 && forward > 0 && backward > 0)
+                yield return (forward - 1, backward - 1);
+        }
+    }
+
     private static int[] Following(PolygonSoup soup)
     {
         var following = new int[soup.Corners.Length];
-        ForEachCorner(soup, (c, n) => following[c] = n);
-        return following;
-    }
-
-    private static void ForEachCorner(PolygonSoup soup, Action<int, int> visit)
-    {
         for (int f = 0; f < soup.FaceCount; f++)
         {
             int first = soup.FaceStart[f], end = soup.FaceStart[f + 1];
             for (int c = first; c < end; c++)
-                visit(c, c + 1 == end ? first : c + 1);
+                following[c] = c + 1 == end ? first : c + 1;
         }
+        return following;
     }
 
     private static void ForEachEdge(PolygonSoup soup, Action<int, int, int> visit)

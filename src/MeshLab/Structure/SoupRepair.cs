@@ -7,29 +7,24 @@ internal static class SoupRepair
 {
     /// <summary>Leaves out, in index order, every face that is no polygon or uses a directed edge again; then, at vertices where fans of faces
     /// only touch, all fans but the one with the lowest face.</summary>
-    public static (PolygonSoup Soup, BuildReport Report) Skip(PolygonSoup soup)
+    /// <param name="soup">The polygons.</param>
+    /// <param name="connect">Makes a mesh of polygons, or null of such that are no manifold.</param>
+    /// <param name="report">What was left out.</param>
+    public static Mesh Skip(PolygonSoup soup, Func<PolygonSoup, Mesh?> connect, out BuildReport report)
     {
         var repairs = new SortedDictionary<int, Repair>();
-        var keep = new bool[soup.FaceCount];
-        var owner = new Dictionary<(int, int), int>();
-        for (int f = 0; f < soup.FaceCount; f++)
+        bool[] keep = KeepWithoutConflicts(soup, repairs);
+        while (true)
         {
-            string? conflict = DefectOf(soup, f) ?? ConflictOf(soup, f, owner);
-            keep[f] = conflict is null;
-            if (conflict is not null)
+            (PolygonSoup kept, int[] sourceFaces) = Select(soup, keep);
+            if (connect(kept) is { } mesh)
             {
-                repairs[f] = new(RepairKind.SkippedFace, ElementName.Face(f), conflict);
-                continue;
+                report = new BuildReport([.. repairs.Values], sourceFaces, null, 0);
+                return mesh;
             }
-            ReadOnlySpan<int> face = soup.Face(f);
-            for (int i = 0; i < face.Length; i++)
-                owner[(face[i], face[(i + 1) % face.Length])] = f;
+            if (!SkipTouchingFans(kept, sourceFaces, keep, repairs))
+                throw SoupDiagnosis.Explain(kept);
         }
-        while (SkipTouchingFans(soup, keep, repairs))
-        {
-        }
-        (PolygonSoup kept, int[] sourceFaces) = Select(soup, keep);
-        return (kept, new BuildReport([.. repairs.Values], sourceFaces, null, 0));
     }
 
     /// <summary>Cuts the surface along every edge that is not shared by exactly two faces in opposite directions, and gives every fan of faces at a
@@ -78,6 +73,37 @@ internal static class SoupRepair
             new BuildReport(repairs, sameFaces ? null : sourceFaces, [.. sourceVertices], 0));
     }
 
+    private static bool[] KeepWithoutConflicts(PolygonSoup soup, SortedDictionary<int, Repair> repairs)
+    {
+        var keep = new bool[soup.FaceCount];
+        var directed = new EdgeTable(soup.Corners.Length);
+        // Per directed edge the kept face that runs along it, plus one.
+        var owner = new int[soup.Corners.Length];
+        Span<int> few = stackalloc int[16];
+        for (int f = 0; f < soup.FaceCount; f++)
+        {
+            ReadOnlySpan<int> face = soup.Face(f);
+            string? conflict = DefectOf(soup, f);
+            Span<int> edges = face.Length <= few.Length ? few[..face.Length] : new int[face.Length];
+            for (int i = 0; i < face.Length && conflict is null; i++)
+            {
+                int from = face[i], to = face[i + 1 == face.Length ? 0 : i + 1];
+                edges[i] = directed.NumberOf(from, to);
+                if (owner[edges[i]] > 0)
+                    conflict = $"f{owner[edges[i]] - 1} runs from v{from} to v{to} already";
+            }
+            keep[f] = conflict is null;
+            if (conflict is not null)
+            {
+                repairs[f] = new(RepairKind.SkippedFace, ElementName.Face(f), conflict);
+                continue;
+            }
+            foreach (int edge in edges)
+                owner[edge] = f + 1;
+        }
+        return keep;
+    }
+
     private static string? DefectOf(PolygonSoup soup, int f)
     {
         ReadOnlySpan<int> face = soup.Face(f);
@@ -87,21 +113,8 @@ internal static class SoupRepair
         return face.Length < 3 ? $"it has {face.Length} vertices" : null;
     }
 
-    private static string? ConflictOf(PolygonSoup soup, int f, Dictionary<(int, int), int> owner)
+    private static bool SkipTouchingFans(PolygonSoup kept, int[] source, bool[] keep, SortedDictionary<int, Repair> repairs)
     {
-        ReadOnlySpan<int> face = soup.Face(f);
-        for (int i = 0; i < face.Length; i++)
-        {
-            int from = face[i], to = face[(i + 1) % face.Length];
-            if (owner.TryGetValue((from, to), out int other))
-                return $"f{other} runs from v{from} to v{to} already";
-        }
-        return null;
-    }
-
-    private static bool SkipTouchingFans(PolygonSoup soup, bool[] keep, SortedDictionary<int, Repair> repairs)
-    {
-        (PolygonSoup kept, int[] source) = Select(soup, keep);
         int[] fan = SoupDiagnosis.FansOfCorners(kept, out int[] fansAtVertex);
         var firstFan = new int[kept.VertexCount];
         Array.Fill(firstFan, -1);
@@ -127,17 +140,24 @@ internal static class SoupRepair
 
     private static (PolygonSoup Soup, int[] SourceFaces) Select(PolygonSoup soup, bool[] keep)
     {
-        var start = new List<int> { 0 };
-        var corners = new List<int>();
-        var source = new List<int>();
+        int faces = 0, length = 0;
+        for (int f = 0; f < soup.FaceCount; f++)
+        {
+            faces += keep[f] ? 1 : 0;
+            length += keep[f] ? soup.Face(f).Length : 0;
+        }
+        int[] start = new int[faces + 1], corners = new int[length], source = new int[faces];
+        int kept = 0;
         for (int f = 0; f < soup.FaceCount; f++)
         {
             if (!keep[f])
                 continue;
-            corners.AddRange(soup.Face(f));
-            start.Add(corners.Count);
-            source.Add(f);
+            ReadOnlySpan<int> face = soup.Face(f);
+            face.CopyTo(corners.AsSpan(start[kept]));
+            source[kept] = f;
+            start[kept + 1] = start[kept] + face.Length;
+            kept++;
         }
-        return (new PolygonSoup(soup.Positions, [.. start], [.. corners]), [.. source]);
+        return (new PolygonSoup(soup.Positions, start, corners), source);
     }
 }
