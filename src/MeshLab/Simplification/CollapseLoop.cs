@@ -82,13 +82,23 @@ internal sealed class CollapseLoop<TCost>
     {
         for (int bucket = 0; bucket < scale.Count && FacesRemoved < facesToRemove; bucket++)
         {
-            Drain(bucket, facesToRemove);
+            DrainOne(bucket, facesToRemove);
             cancellationToken.ThrowIfCancellationRequested();
         }
     }
 
+    /// <summary>Empties a run of buckets.</summary>
+    public void Drain(int firstBucket, int endBucket)
+    {
+        for (int bucket = firstBucket; bucket < endBucket && !cancellationToken.IsCancellationRequested; bucket++)
+        {
+            if (Queue.HasEntries(bucket))
+                DrainOne(bucket, int.MaxValue);
+        }
+    }
+
     /// <summary>Contracts what is in one bucket, and what falls into it meanwhile.</summary>
-    public void Drain(int bucket, int facesToRemove)
+    private void DrainOne(int bucket, int facesToRemove)
     {
         Queue.Current = bucket;
         while (FacesRemoved < facesToRemove)

@@ -134,18 +134,33 @@ internal sealed class EdgeContraction
             }
         });
         int stop = split.WhereToStop(targetFaces);
-        for (int bucket = 0; bucket < scale.Count && Working.FaceCount - Removed(loops) > stop; bucket++)
+        for (int bucket = 0; bucket < scale.Count && Working.FaceCount - Removed(loops) > stop;)
         {
-            int front = bucket;
-            if (!Array.Exists(loops, loop => loop.Queue.HasEntries(front)))
-                continue;
-            Parallelism.ForBlocks(regions, 1, (r, _) => loops[r].Drain(front, int.MaxValue));
+            int first = bucket, end = EndOfRound(scale, regionOf, first, Working.FaceCount - Removed(loops) - stop);
+            Parallelism.ForBlocks(regions, 1, (r, _) => loops[r].Drain(first, end));
             cancellationToken.ThrowIfCancellationRequested();
             Report(Removed(loops));
+            bucket = end;
         }
 
         foreach (CollapseLoop<TCost> loop in loops)
             Take(loop);
+    }
+
+    /// <summary>Up to which bucket all regions may go before they have to wait for each other. An edge's key only grows, so no more edges can be contracted in these
+    /// buckets than have their key there now; and as long as that is too few to reach the number of faces at which to stop, nobody has to count.</summary>
+    private int EndOfRound(BucketScale scale, byte[] regionOf, int first, int facesToRemove)
+    {
+        var counts = new int[scale.Count];
+        for (int e = 0; e < regionOf.Length; e++)
+        {
+            if (regionOf[e] != Regions.None && Working.States[e] != EdgeState.Deleted)
+                counts[scale.BucketOf(Working.Keys[e])]++;
+        }
+        int end = first, edges = 0;
+        while (end < counts.Length && 2L * (edges += counts[end]) < facesToRemove)
+            end++;
+        return Math.Min(Math.Max(end, first + 1), scale.Count);
     }
 
     private static int Removed<TCost>(CollapseLoop<TCost>[] loops)
