@@ -6,6 +6,8 @@ namespace MeshLab.Simplification;
 /// <summary>Contracts edges on a private copy: a bucket queue of lower bounds, and on large meshes regions at once.</summary>
 internal sealed class EdgeContraction
 {
+    /// <summary>Counting ahead is worth while if it saves the regions so many meetings.</summary>
+    private const int LeastBucketsAhead = 4;
     private readonly QuadricOptions options;
     private readonly int facesBefore;
     private readonly IProgress<double>? progress;
@@ -134,9 +136,15 @@ internal sealed class EdgeContraction
             }
         });
         int stop = split.WhereToStop(targetFaces);
+        bool looksAhead = true;
         for (int bucket = 0; bucket < scale.Count && Working.FaceCount - Removed(loops) > stop;)
         {
-            int first = bucket, end = EndOfRound(scale, regionOf, first, Working.FaceCount - Removed(loops) - stop);
+            int first = bucket, end = bucket + 1;
+            if (looksAhead)
+            {
+                end = EndOfRound(scale, regionOf, first, Working.FaceCount - Removed(loops) - stop);
+                looksAhead = end - first >= LeastBucketsAhead;
+            }
             Parallelism.ForBlocks(regions, 1, (r, _) => loops[r].Drain(first, end));
             cancellationToken.ThrowIfCancellationRequested();
             Report(Removed(loops));
