@@ -8,31 +8,46 @@ internal sealed class CompactResult
 {
     private readonly WorkingMesh working;
 
-    public CompactResult(WorkingMesh working)
+    /// <summary>Takes what is left of a working mesh.</summary>
+    /// <param name="mesh">The mesh that the working mesh was copied from.</param>
+    /// <param name="working">The working mesh.</param>
+    public CompactResult(Mesh mesh, WorkingMesh working)
     {
         this.working = working;
         int[] vertexNumbers = Number(working.Positions.Length, v => working.Outgoing[v] != WorkingMesh.DeletedVertex, out int vertices);
         int[] edgeNumbers = Number(working.EdgeSlots, e => working.States[e] != EdgeState.Deleted, out int edges);
         int[] faceNumbers = Number(working.HalfEdgeOf.Length, f => working.HalfEdgeOf[f] >= 0, out int faces);
-        int[] halfEdgeNumbers = GC.AllocateUninitializedArray<int>(2 * edgeNumbers.Length);
-        for (int e = 0; e < edgeNumbers.Length; e++)
-        {
-            halfEdgeNumbers[2 * e] = edgeNumbers[e] < 0 ? -1 : 2 * edgeNumbers[e];
-            halfEdgeNumbers[2 * e + 1] = edgeNumbers[e] < 0 ? -1 : 2 * edgeNumbers[e] + 1;
-        }
-        Maps = new(vertexNumbers, halfEdgeNumbers, edgeNumbers, faceNumbers);
         Positions = new Vector3D[vertices];
+        Origins = new int[vertices];
         Outgoing = new int[vertices];
         (Next, Previous, Target, Face) = (new int[2 * edges], new int[2 * edges], new int[2 * edges], new int[2 * edges]);
         HalfEdgeOf = new int[faces];
-        Fill();
+        Parallelism.ForBlocks(vertexNumbers.Length, (first, end) => FillVertices(vertexNumbers, edgeNumbers, first, end));
+        Parallelism.ForBlocks(edgeNumbers.Length, (first, end) => FillEdges(vertexNumbers, edgeNumbers, faceNumbers, first, end));
+        Parallelism.ForBlocks(faceNumbers.Length, (first, end) =>
+        {
+            for (int f = first; f < end; f++)
+            {
+                if (faceNumbers[f] >= 0)
+                    HalfEdgeOf[faceNumbers[f]] = NumberOf(edgeNumbers, working.HalfEdgeOf[f]);
+            }
+        });
+        // Only those maps are kept that traits move along.
+        Maps = new(
+            vertexNumbers,
+            mesh.HalfEdgeTraits.Any() ? HalfEdgeNumbers(edgeNumbers) : [],
+            mesh.EdgeTraits.Any() ? edgeNumbers : [],
+            mesh.FaceTraits.Any() ? faceNumbers : []);
     }
 
-    /// <summary>Old slots → new ones.</summary>
+    /// <summary>Old slots → new ones: of vertices, and of those elements that have traits.</summary>
     public CompactionMaps Maps { get; }
 
     /// <summary>In working units.</summary>
     public Vector3D[] Positions { get; }
+
+    /// <summary>Per vertex the input vertex on which it lies; −1 if on none.</summary>
+    public int[] Origins { get; }
 
     public int[] Next { get; }
 
@@ -50,15 +65,8 @@ internal sealed class CompactResult
     public void WriteTo(Mesh mesh)
     {
         Span<Vector3D> input = mesh.Positions;
-        for (int v = 0; v < Maps.Vertices.Length; v++)
-        {
-            int to = Maps.Vertices[v];
-            if (to < 0)
-                continue;
-            // A vertex that lies on one of the input gets that one's bits.
-            int origin = working.OriginOf(v);
-            Positions[to] = origin >= 0 && Positions[to] == working.Positions[v] ? input[origin] : working.Restored(Positions[to]);
-        }
+        for (int v = 0; v < Positions.Length; v++)
+            Positions[v] = Origins[v] >= 0 ? input[Origins[v]] : working.Restored(Positions[v]);
         mesh.ReplaceConnectivity(Positions, Next, Previous, Target, Face, Outgoing, HalfEdgeOf, Maps);
     }
 
@@ -71,45 +79,45 @@ internal sealed class CompactResult
         return numbers;
     }
 
-    private void Fill()
+    private static int[] HalfEdgeNumbers(int[] edgeNumbers)
     {
-        Parallelism.ForBlocks(Maps.Vertices.Length, FillVertices);
-        Parallelism.ForBlocks(Maps.HalfEdges.Length, FillHalfEdges);
-        Parallelism.ForBlocks(Maps.Faces.Length, (first, end) =>
-        {
-            for (int f = first; f < end; f++)
-            {
-                if (Maps.Faces[f] >= 0)
-                    HalfEdgeOf[Maps.Faces[f]] = Maps.HalfEdges[working.HalfEdgeOf[f]];
-            }
-        });
+        int[] numbers = GC.AllocateUninitializedArray<int>(2 * edgeNumbers.Length);
+        for (int h = 0; h < numbers.Length; h++)
+            numbers[h] = edgeNumbers[h >> 1] < 0 ? -1 : NumberOf(edgeNumbers, h);
+        return numbers;
     }
 
-    private void FillVertices(int first, int end)
+    private static int NumberOf(int[] edgeNumbers, int halfEdge) => 2 * edgeNumbers[halfEdge >> 1] + (halfEdge & 1);
+
+    private void FillVertices(int[] vertexNumbers, int[] edgeNumbers, int first, int end)
     {
         for (int v = first; v < end; v++)
         {
-            int to = Maps.Vertices[v];
+            int to = vertexNumbers[v];
             if (to < 0)
                 continue;
             Positions[to] = working.Positions[v];
+            Origins[to] = working.OriginOf(v);
             int h = working.Outgoing[v];
-            Outgoing[to] = h < 0 ? h : Maps.HalfEdges[h];
+            Outgoing[to] = h < 0 ? h : NumberOf(edgeNumbers, h);
         }
     }
 
-    private void FillHalfEdges(int first, int end)
+    private void FillEdges(int[] vertexNumbers, int[] edgeNumbers, int[] faceNumbers, int first, int end)
     {
-        for (int h = first; h < end; h++)
+        for (int e = first; e < end; e++)
         {
-            int to = Maps.HalfEdges[h];
-            if (to < 0)
+            if (edgeNumbers[e] < 0)
                 continue;
-            ref HalfEdgeRow row = ref working.Rows[h];
-            Next[to] = Maps.HalfEdges[row.Next];
-            Previous[to] = Maps.HalfEdges[row.Previous];
-            Target[to] = Maps.Vertices[row.Target];
-            Face[to] = row.Face < 0 ? -1 : Maps.Faces[row.Face];
+            for (int h = 2 * e; h <= 2 * e + 1; h++)
+            {
+                int to = NumberOf(edgeNumbers, h);
+                ref HalfEdgeRow row = ref working.Rows[h];
+                Next[to] = NumberOf(edgeNumbers, row.Next);
+                Previous[to] = NumberOf(edgeNumbers, row.Previous);
+                Target[to] = vertexNumbers[row.Target];
+                Face[to] = row.Face < 0 ? -1 : faceNumbers[row.Face];
+            }
         }
     }
 }

@@ -14,6 +14,7 @@ internal sealed class EdgeContraction
     private readonly CancellationToken cancellationToken;
     private readonly CollapseLog? extraLog;
     private readonly TraitLog? traits;
+    private readonly UncheckedArray<int> links;
     private int stamp;
 
     public EdgeContraction(Mesh mesh, QuadricOptions options, TraitLog? traits, CollapseLog? extraLog, IProgress<double>? progress, CancellationToken cancellationToken)
@@ -25,6 +26,7 @@ internal sealed class EdgeContraction
         facesBefore = mesh.Faces.Count;
         Working = new WorkingMesh(mesh) { Constraints = Constraints.From(mesh, options) };
         this.traits = traits;
+        links = UncheckedArray<int>.Uninitialized(Working.EdgeSlots);
     }
 
     public WorkingMesh Working { get; }
@@ -63,10 +65,9 @@ internal sealed class EdgeContraction
         if (Working.FaceCount <= targetFaces)
             return;
         BucketScale scale = EvaluateAll(cost);
-        UncheckedArray<int> links = UncheckedArray<int>.Uninitialized(Working.EdgeSlots);
         int regions = extraLog is null && traits is null ? Regions.CountFor(Working.FaceCount) : 1;
         if (regions > 1 && Working.FaceCount > targetFaces / 3 * 4)
-            RunRegions(cost, scale, links, regions, targetFaces);
+            RunRegions(cost, scale, regions, targetFaces);
 
         while (Working.FaceCount > targetFaces)
         {
@@ -120,7 +121,7 @@ internal sealed class EdgeContraction
         return new BucketScale(largest);
     }
 
-    private void RunRegions<TCost>(TCost cost, BucketScale scale, UncheckedArray<int> links, int regions, int targetFaces)
+    private void RunRegions<TCost>(TCost cost, BucketScale scale, int regions, int targetFaces)
         where TCost : struct, IEdgeCost
     {
         Regions split = new(Working, regions);

@@ -71,9 +71,9 @@ internal sealed class FitSamples
     private readonly UncheckedArray<double> faceWeights;
     private readonly UncheckedArray<int> nearest;
     private readonly UncheckedArray<int> nearestToCentroid;
-    private readonly UncheckedArray<double> distances;
-    private readonly UncheckedArray<double> centroidDistances;
-    private bool isLocated;
+    private UncheckedArray<double> distances;
+    private UncheckedArray<double> centroidDistances;
+    private UncheckedArray<FaceSums>[]? halves;
 
     /// <summary>Samples that are not yet located.</summary>
     /// <param name="mesh">The original.</param>
@@ -91,8 +91,6 @@ internal sealed class FitSamples
         faceWeights = UncheckedArray<double>.Uninitialized(faces.Length);
         nearest = UncheckedArray<int>.Uninitialized(vertices.Length);
         nearestToCentroid = UncheckedArray<int>.Uninitialized(faces.Length);
-        distances = UncheckedArray<double>.Uninitialized(vertices.Length);
-        centroidDistances = UncheckedArray<double>.Uninitialized(faces.Length);
         Parallelism.ForBlocks(faces.Length, (first, end) => MeasureFaces(mesh, first, end));
         double total = 0;
         for (int i = 0; i < faces.Length; i++)
@@ -114,13 +112,13 @@ internal sealed class FitSamples
     /// <summary>Finds the nearest face of every sample and sums per face. In two fixed halves, so that two threads can share the work.</summary>
     public UncheckedArray<FaceSums> Project()
     {
-        if (!isLocated)
+        if (halves is null)
             Locate();
-        isLocated = true;
-        var halves = new UncheckedArray<FaceSums>[2];
+        // What is summed up is done with when the next sweep begins.
+        halves ??= [new FaceSums[surface.FaceCount], new FaceSums[surface.FaceCount]];
+        foreach (UncheckedArray<FaceSums> half in halves)
+            Array.Clear(half.Items);
         int halfVertices = vertices.Length / 2, halfFaces = faces.Length / 2;
-        for (int k = 0; k < 2; k++)
-            halves[k] = new FaceSums[surface.FaceCount];
         Parallelism.Invoke(
             () => AddSamples(0, halfVertices, 0, halfFaces, halves[0]),
             () => AddSamples(halfVertices, vertices.Length, halfFaces, faces.Length, halves[1]));
@@ -133,6 +131,8 @@ internal sealed class FitSamples
     /// <summary>Finds the first faces: by walking from where the sample's vertices went, and for those that end far away by a tree.</summary>
     private void Locate()
     {
+        distances = UncheckedArray<double>.Uninitialized(vertices.Length);
+        centroidDistances = UncheckedArray<double>.Uninitialized(faces.Length);
         Parallelism.ForBlocks(vertices.Length, (first, end) =>
         {
             for (int v = first; v < end; v++)
@@ -144,6 +144,7 @@ internal sealed class FitSamples
                 LocateCentroid(i);
         });
         LocateOutliers();
+        distances = centroidDistances = default;
     }
 
     private void LocateVertex(int v)

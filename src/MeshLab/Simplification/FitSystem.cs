@@ -10,33 +10,43 @@ internal sealed class FitSystem
     private const double Reduction = 1e-4;
     private const double Damping = 0.005;
     private readonly FitSurface surface;
-    private readonly UncheckedArray<FaceSums> sums;
     private readonly UncheckedArray<bool> isFixed;
+
+    /// <summary>Per vertex the inverse of the diagonal block; while assembling, the block itself.</summary>
     private readonly UncheckedArray<Symmetric3> inverse;
     private readonly UncheckedArray<double> damping;
     private readonly UncheckedArray<Vector3D> residual;
+    private readonly UncheckedArray<Vector3D> solution;
+    private readonly UncheckedArray<Vector3D> direction;
+    private readonly UncheckedArray<Vector3D> image;
+    private UncheckedArray<FaceSums> sums;
 
-    public FitSystem(FitSurface surface, UncheckedArray<FaceSums> sums, UncheckedArray<bool> isFixed)
+    /// <summary>Room for the systems of all sweeps.</summary>
+    public FitSystem(FitSurface surface, UncheckedArray<bool> isFixed)
     {
         this.surface = surface;
-        this.sums = sums;
         this.isFixed = isFixed;
-        inverse = new Symmetric3[surface.VertexCount];
-        damping = new double[surface.VertexCount];
-        residual = new Vector3D[surface.VertexCount];
-        Assemble();
+        int n = surface.VertexCount;
+        inverse = new Symmetric3[n];
+        damping = new double[n];
+        residual = new Vector3D[n];
+        solution = new Vector3D[n];
+        direction = new Vector3D[n];
+        image = new Vector3D[n];
     }
 
-    /// <summary>The displacements.</summary>
-    public UncheckedArray<Vector3D> Solve()
+    /// <summary>The displacements for what the samples add up to; valid until the next call.</summary>
+    public UncheckedArray<Vector3D> Solve(UncheckedArray<FaceSums> faceSums)
     {
+        sums = faceSums;
+        Assemble();
         int n = surface.VertexCount;
-        UncheckedArray<Vector3D> x = new Vector3D[n], z = new Vector3D[n], direction = new Vector3D[n], image = new Vector3D[n];
         double rz = 0;
         for (int v = 0; v < n; v++)
         {
-            direction[v] = z[v] = inverse[v].Times(residual[v]);
-            rz += Vector3D.Dot(residual[v], z[v]);
+            solution[v] = default;
+            direction[v] = inverse[v].Times(residual[v]);
+            rz += Vector3D.Dot(residual[v], direction[v]);
         }
         double first = rz;
         for (int k = 0; k < MaxIterations && rz > Reduction * first && rz > 0; k++)
@@ -47,24 +57,27 @@ internal sealed class FitSystem
             double step = rz / energy, following = 0;
             for (int v = 0; v < n; v++)
             {
-                x[v] += direction[v] * step;
+                solution[v] += direction[v] * step;
                 residual[v] -= image[v] * step;
-                z[v] = inverse[v].Times(residual[v]);
-                following += Vector3D.Dot(residual[v], z[v]);
+                // The image has served; its room takes the preconditioned residual.
+                image[v] = inverse[v].Times(residual[v]);
+                following += Vector3D.Dot(residual[v], image[v]);
             }
             double turn = following / rz;
             rz = following;
             for (int v = 0; v < n; v++)
-                direction[v] = z[v] + direction[v] * turn;
+                direction[v] = image[v] + direction[v] * turn;
         }
-        return x;
+        return solution;
     }
 
     private void Assemble()
     {
         int n = surface.VertexCount;
-        UncheckedArray<Symmetric3> diagonal = new Symmetric3[n];
-        UncheckedArray<double> area = new double[n], got = new double[n];
+        Array.Clear(inverse.Items);
+        Array.Clear(residual.Items);
+        Array.Clear(damping.Items);
+        UncheckedArray<double> got = new double[n];
         for (int f = 0; f < surface.FaceCount; f++)
         {
             ref FaceSums s = ref sums[f];
@@ -77,20 +90,21 @@ internal sealed class FitSystem
 
             void Add(int v, double mass, double gradient)
             {
-                diagonal[v].AddOuter(normal, mass);
+                inverse[v].AddOuter(normal, mass);
                 residual[v] += normal * gradient;
-                area[v] += share;
+                damping[v] += share;
                 got[v] += mass;
             }
         }
         for (int v = 0; v < n; v++)
         {
             // A vertex with few samples around is held more strongly.
-            damping[v] = Damping * area[v] + Math.Max(0, area[v] - got[v]) + 1e-30;
+            double area = damping[v];
+            damping[v] = Damping * area + Math.Max(0, area - got[v]) + 1e-30;
             if (isFixed[v])
-                residual[v] = default;
+                (residual[v], inverse[v]) = (default, default);
             else
-                inverse[v] = diagonal[v].InverseWith(damping[v]);
+                inverse[v] = inverse[v].InverseWith(damping[v]);
         }
     }
 

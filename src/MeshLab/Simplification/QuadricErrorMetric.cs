@@ -53,7 +53,7 @@ public static class QuadricErrorMetric
     {
         var contraction = new EdgeContraction(mesh, options, TraitLog.For(mesh), TraceLog.For(options.Trace), progress, cancellationToken);
         Contract(contraction, options, target);
-        return Finish(mesh, contraction, new CompactResult(contraction.Working), options, target, cancellationToken);
+        return Finish(mesh, contraction, Take(mesh, contraction, target, out SimplificationResult report), report, cancellationToken);
     }
 
     private static SimplificationResult RunAccurate(
@@ -62,10 +62,10 @@ public static class QuadricErrorMetric
         var contraction = new EdgeContraction(mesh, options, TraitLog.For(mesh), TraceLog.For(options.Trace), progress, cancellationToken) { ProgressShare = 0.8 };
         contraction.Working.TrackSuccessors();
         Contract(contraction, options, target);
-        var result = new CompactResult(contraction.Working);
+        CompactResult result = Take(mesh, contraction, target, out SimplificationResult report);
         if (options.Placement == VertexPlacement.Optimal)
             SurfaceFit.Run(mesh, contraction.Working, result, cancellationToken);
-        return Finish(mesh, contraction, result, options, target, cancellationToken);
+        return Finish(mesh, contraction, result, report, cancellationToken);
     }
 
     /// <summary>Contracts edges as the mode says, until the number of faces is reached; 0 for as far as possible.</summary>
@@ -81,15 +81,23 @@ public static class QuadricErrorMetric
         contraction.ContractMemoryless(sums, target);
     }
 
+    /// <summary>Takes the result out of the working mesh, which is of no further use.</summary>
+    private static CompactResult Take(Mesh mesh, EdgeContraction contraction, int target, out SimplificationResult report)
+    {
+        report = Report(contraction, target, mesh.Faces.Count);
+        var result = new CompactResult(mesh, contraction.Working);
+        contraction.Working.ReleaseConnectivity();
+        return result;
+    }
+
     /// <summary>Changes the mesh: from here on nothing may fail.</summary>
     private static SimplificationResult Finish(
-        Mesh mesh, EdgeContraction contraction, CompactResult compact, QuadricOptions options, int target, CancellationToken cancellationToken)
+        Mesh mesh, EdgeContraction contraction, CompactResult compact, SimplificationResult report, CancellationToken cancellationToken)
     {
         cancellationToken.ThrowIfCancellationRequested();
-        SimplificationResult result = Report(contraction, target, mesh.Faces.Count);
         contraction.ApplyTraits(mesh);
         compact.WriteTo(mesh);
-        return result;
+        return report;
     }
 
     private static SimplificationResult Report(EdgeContraction contraction, int target, int before)

@@ -40,7 +40,8 @@ internal sealed class SurfaceFit
     public static void Run(Mesh mesh, WorkingMesh working, CompactResult result, CancellationToken cancellationToken)
     {
         int[] survivors = working.Survivors();
-        UncheckedArray<Vector3D> vertices = UncheckedArray<Vector3D>.Uninitialized(survivors.Length);
+        // The result has its own positions: the room of the working mesh's serves for the original's.
+        UncheckedArray<Vector3D> vertices = working.Positions;
         var originals = new int[result.Positions.Length];
         var isFixed = new bool[result.Positions.Length];
         for (int v = 0; v < survivors.Length; v++)
@@ -58,13 +59,20 @@ internal sealed class SurfaceFit
             survivors[v] = survivors[v] < 0 ? -1 : result.Maps.Vertices[survivors[v]];
         var surface = new FitSurface(result);
         var samples = new FitSamples(mesh, vertices, survivors, surface);
-        new SurfaceFit(surface, samples, new OriginalDistance(mesh, vertices, originals), isFixed).Run(cancellationToken);
+        Vector3D[] start = [.. result.Positions];
+        new SurfaceFit(surface, samples, new OriginalDistance(mesh, vertices, originals), isFixed).Run(start, cancellationToken);
+        for (int v = 0; v < start.Length; v++)
+        {
+            if (result.Positions[v] != start[v])
+                result.Origins[v] = -1;
+        }
     }
 
-    private void Run(CancellationToken cancellationToken)
+    private void Run(Vector3D[] start, CancellationToken cancellationToken)
     {
-        Vector3D[] start = [.. surface.Positions.Items], before = start;
+        Vector3D[] before = [.. start];
         double[] distances = original.DistancesSquared(surface.Positions);
+        FitSystem? system = null;
         StarErrors? errors = null;
         for (int sweep = 0; ; sweep++)
         {
@@ -83,8 +91,9 @@ internal sealed class SurfaceFit
                 return;
             }
             errors = current;
-            before = [.. surface.Positions.Items];
-            Move(new FitSystem(surface, sums, isFixed).Solve(), before);
+            surface.Positions.Items.CopyTo(before);
+            system ??= new FitSystem(surface, isFixed);
+            Move(system.Solve(sums), before);
         }
     }
 

@@ -51,10 +51,10 @@ internal sealed class WorkingMesh
     /// <summary>As <see cref="Mesh.Outgoing"/> marks a deleted vertex.</summary>
     public const int DeletedVertex = -2;
 
-    private readonly UncheckedArray<int> marks;
+    private UncheckedArray<int> marks;
 
     /// <summary>Per vertex, the input vertex that it lies on; −1 if on none.</summary>
-    private readonly UncheckedArray<int> origins;
+    private UncheckedArray<int> origins;
 
     public WorkingMesh(Mesh mesh)
     {
@@ -82,21 +82,21 @@ internal sealed class WorkingMesh
         });
     }
 
-    public UncheckedArray<HalfEdgeRow> Rows { get; }
+    public UncheckedArray<HalfEdgeRow> Rows { get; private set; }
 
     /// <summary>Per vertex an outgoing half-edge, a boundary one if there is any; negative if isolated or deleted.</summary>
-    public UncheckedArray<int> Outgoing { get; }
+    public UncheckedArray<int> Outgoing { get; private set; }
 
     /// <summary>Per face a half-edge; −1 if deleted.</summary>
-    public UncheckedArray<int> HalfEdgeOf { get; }
+    public UncheckedArray<int> HalfEdgeOf { get; private set; }
 
     public UncheckedArray<Vector3D> Positions { get; }
 
     /// <summary>Per edge an <see cref="EdgeState"/>.</summary>
-    public UncheckedArray<byte> States { get; }
+    public UncheckedArray<byte> States { get; private set; }
 
     /// <summary>Per edge its cost, or a lower bound of it.</summary>
-    public UncheckedArray<double> Keys { get; }
+    public UncheckedArray<double> Keys { get; private set; }
 
     /// <summary>What vertices and edges may not do; <see langword="null"/> if they may do anything.</summary>
     public Constraints? Constraints { get; set; }
@@ -126,6 +126,15 @@ internal sealed class WorkingMesh
         Successors = new int[Positions.Length];
         for (int v = 0; v < Successors.Length; v++)
             Successors[v] = v;
+    }
+
+    /// <summary>Lets go of all but positions, successors and constraints: the result was taken, and what comes next wants the memory.</summary>
+    public void ReleaseConnectivity()
+    {
+        Rows = default;
+        Outgoing = HalfEdgeOf = marks = origins = default;
+        States = default;
+        Keys = default;
     }
 
     /// <summary>Per vertex the live one that it is part of.</summary>
