@@ -14,7 +14,7 @@ internal sealed class EdgeContraction
     private readonly CancellationToken cancellationToken;
     private readonly CollapseLog? extraLog;
     private readonly TraitLog? traits;
-    private readonly UncheckedArray<int> links;
+    private UncheckedArray<int> links;
     private int stamp;
 
     public EdgeContraction(Mesh mesh, QuadricOptions options, TraitLog? traits, CollapseLog? extraLog, IProgress<double>? progress, CancellationToken cancellationToken)
@@ -86,6 +86,13 @@ internal sealed class EdgeContraction
             if (loop.Collapses == 0)
                 return;
         }
+    }
+
+    /// <summary>Lets go of what only contracting needs.</summary>
+    public void Release()
+    {
+        links = default;
+        Working.ReleaseConnectivity();
     }
 
     /// <summary>The reasons of the edges that were refused and are waiting.</summary>

@@ -35,21 +35,6 @@ internal struct FaceSums
         G1 += wr * b.Y;
         G2 += wr * b.Z;
     }
-
-    public void Add(ref readonly FaceSums other)
-    {
-        Energy += other.Energy;
-        Largest = Math.Max(Largest, other.Largest);
-        M00 += other.M00;
-        M01 += other.M01;
-        M02 += other.M02;
-        M11 += other.M11;
-        M12 += other.M12;
-        M22 += other.M22;
-        G0 += other.G0;
-        G1 += other.G1;
-        G2 += other.G2;
-    }
 }
 
 /// <summary>Samples of the original surface: its vertices, each with a twelfth of the area around, and its face centroids, each with three quarters of the
@@ -62,18 +47,26 @@ internal sealed class FitSamples
     /// <summary>A sample whose squared distance is more than this many times the mean is looked up in a tree: the walk may have ended in a dead end.</summary>
     private const double Outlier = 9;
     private const int MaxOutlierRounds = 32;
+
+    /// <summary>So many samples are projected at once, by all threads, before they are added up in order.</summary>
+    private const int ChunkSize = 1 << 12;
+    private const int BlockSize = 1 << 9;
     private readonly FitSurface surface;
     private readonly UncheckedArray<Vector3D> vertices;
-    private readonly UncheckedArray<int> survivors;
-    private readonly int[] faces;
-    private readonly UncheckedArray<(int A, int B, int C)> corners;
-    private readonly UncheckedArray<double> vertexWeights;
-    private readonly UncheckedArray<double> faceWeights;
+    private UncheckedArray<int> survivors;
+    private readonly int faceCount;
+    private readonly UncheckedArray<int> halfEdgeOf;
+    private readonly UncheckedArray<int> target;
+    private readonly UncheckedArray<int> next;
+    private readonly UncheckedArray<int> previous;
+    private readonly UncheckedArray<float> vertexWeights;
+    private readonly UncheckedArray<float> faceWeights;
     private readonly UncheckedArray<int> nearest;
     private readonly UncheckedArray<int> nearestToCentroid;
     private UncheckedArray<double> distances;
     private UncheckedArray<double> centroidDistances;
-    private UncheckedArray<FaceSums>[]? halves;
+    private readonly UncheckedArray<Hit> hits = UncheckedArray<Hit>.Uninitialized(ChunkSize);
+    private UncheckedArray<FaceSums>? sums;
 
     /// <summary>Samples that are not yet located.</summary>
     /// <param name="mesh">The original.</param>
@@ -85,23 +78,25 @@ internal sealed class FitSamples
         this.surface = surface;
         this.vertices = vertices;
         this.survivors = survivors;
-        faces = LiveFaces(mesh);
-        corners = UncheckedArray<(int, int, int)>.Uninitialized(faces.Length);
-        vertexWeights = new double[vertices.Length];
-        faceWeights = UncheckedArray<double>.Uninitialized(faces.Length);
+        (halfEdgeOf, target, next, previous) = (mesh.halfEdgeOf, mesh.target, mesh.next, mesh.previous);
+        faceCount = mesh.FaceSlots;
+        vertexWeights = new float[vertices.Length];
+        faceWeights = UncheckedArray<float>.Uninitialized(faceCount);
         nearest = UncheckedArray<int>.Uninitialized(vertices.Length);
-        nearestToCentroid = UncheckedArray<int>.Uninitialized(faces.Length);
-        Parallelism.ForBlocks(faces.Length, (first, end) => MeasureFaces(mesh, first, end));
+        nearestToCentroid = UncheckedArray<int>.Uninitialized(faceCount);
+        Parallelism.ForBlocks(faceCount, MeasureFaces);
         double total = 0;
-        for (int i = 0; i < faces.Length; i++)
+        for (int f = 0; f < faceCount; f++)
         {
-            double area = faceWeights[i];
+            if (!IsLive(f))
+                continue;
+            double area = faceWeights[f];
             total += area;
-            var (a, b, c) = corners[i];
-            vertexWeights[a] += VertexShare * area;
-            vertexWeights[b] += VertexShare * area;
-            vertexWeights[c] += VertexShare * area;
-            faceWeights[i] = CentroidShare * area;
+            var (a, b, c) = CornersOf(f);
+            vertexWeights[a] += (float)(VertexShare * area);
+            vertexWeights[b] += (float)(VertexShare * area);
+            vertexWeights[c] += (float)(VertexShare * area);
+            faceWeights[f] = (float)(CentroidShare * area);
         }
         TotalWeight = total;
     }
@@ -109,42 +104,53 @@ internal sealed class FitSamples
     /// <summary>The area of the original.</summary>
     public double TotalWeight { get; }
 
-    /// <summary>Finds the nearest face of every sample and sums per face. In two fixed halves, so that two threads can share the work.</summary>
+    /// <summary>Finds the nearest face of every sample and sums per face, in the order of the samples. Valid until the next call.</summary>
     public UncheckedArray<FaceSums> Project()
     {
-        if (halves is null)
+        if (sums is null)
             Locate();
-        // What is summed up is done with when the next sweep begins.
-        halves ??= [new FaceSums[surface.FaceCount], new FaceSums[surface.FaceCount]];
-        foreach (UncheckedArray<FaceSums> half in halves)
-            Array.Clear(half.Items);
-        int halfVertices = vertices.Length / 2, halfFaces = faces.Length / 2;
-        Parallelism.Invoke(
-            () => AddSamples(0, halfVertices, 0, halfFaces, halves[0]),
-            () => AddSamples(halfVertices, vertices.Length, halfFaces, faces.Length, halves[1]));
-        UncheckedArray<FaceSums> sums = halves[0];
-        for (int f = 0; f < sums.Length; f++)
-            sums[f].Add(in halves[1][f]);
-        return sums;
+        UncheckedArray<FaceSums> perFace = sums ??= new FaceSums[surface.FaceCount];
+        Array.Clear(perFace.Items);
+        int samples = vertices.Length + faceCount;
+        for (int start = 0; start < samples; start += ChunkSize)
+        {
+            int first = start, count = Math.Min(ChunkSize, samples - start);
+            Parallelism.ForBlocks(count, BlockSize, (from, to) =>
+            {
+                for (int i = from; i < to; i++)
+                    hits[i] = ProjectSample(first + i);
+            });
+            for (int i = 0; i < count; i++)
+            {
+                ref Hit hit = ref hits[i];
+                if (hit.Weight > 0)
+                    perFace[hit.Face].Add(hit.Weight, hit.Residual, hit.DistanceSquared, hit.Place);
+            }
+        }
+        return perFace;
     }
 
     /// <summary>Finds the first faces: by walking from where the sample's vertices went, and for those that end far away by a tree.</summary>
     private void Locate()
     {
         distances = UncheckedArray<double>.Uninitialized(vertices.Length);
-        centroidDistances = UncheckedArray<double>.Uninitialized(faces.Length);
+        centroidDistances = new double[faceCount];
         Parallelism.ForBlocks(vertices.Length, (first, end) =>
         {
             for (int v = first; v < end; v++)
                 LocateVertex(v);
         });
-        Parallelism.ForBlocks(faces.Length, (first, end) =>
+        Parallelism.ForBlocks(faceCount, (first, end) =>
         {
-            for (int i = first; i < end; i++)
-                LocateCentroid(i);
+            for (int f = first; f < end; f++)
+            {
+                if (IsLive(f))
+                    LocateCentroid(f);
+            }
         });
         LocateOutliers();
         distances = centroidDistances = default;
+        survivors = default;
     }
 
     private void LocateVertex(int v)
@@ -159,20 +165,20 @@ internal sealed class FitSamples
         nearest[v] = face;
     }
 
-    private void LocateCentroid(int i)
+    private void LocateCentroid(int f)
     {
-        var (a, b, c) = corners[i];
-        Vector3D sample = Centroid(i);
+        var (a, b, c) = CornersOf(f);
+        Vector3D sample = Centroid(f);
         int face = FirstFace(sample, a, b, c);
-        centroidDistances[i] = surface.Walk(sample, ref face, out _);
-        nearestToCentroid[i] = face;
+        centroidDistances[f] = surface.Walk(sample, ref face, out _);
+        nearestToCentroid[f] = face;
     }
 
     /// <summary>Once the worst are found, the mean falls, and more stand out; until all that do are exact.</summary>
     private void LocateOutliers()
     {
         FaceTree? tree = null;
-        bool[] isExact = new bool[vertices.Length], isCentroidExact = new bool[faces.Length];
+        bool[] isExact = new bool[vertices.Length], isCentroidExact = new bool[faceCount];
         for (int round = 0; round < MaxOutlierRounds; round++)
         {
             double limit = Outlier * MeanSquare();
@@ -185,12 +191,12 @@ internal sealed class FitSamples
                     changed |= LookUp(tree ??= surface.BuildTree(), vertices[v], ref distances[v], ref nearest[v]);
                 }
             }
-            for (int i = 0; i < faces.Length; i++)
+            for (int f = 0; f < faceCount; f++)
             {
-                if (centroidDistances[i] > limit && !isCentroidExact[i])
+                if (centroidDistances[f] > limit && !isCentroidExact[f])
                 {
-                    isCentroidExact[i] = true;
-                    changed |= LookUp(tree ??= surface.BuildTree(), Centroid(i), ref centroidDistances[i], ref nearestToCentroid[i]);
+                    isCentroidExact[f] = true;
+                    changed |= LookUp(tree ??= surface.BuildTree(), Centroid(f), ref centroidDistances[f], ref nearestToCentroid[f]);
                 }
             }
             if (!changed)
@@ -203,8 +209,8 @@ internal sealed class FitSamples
         double sum = 0;
         for (int v = 0; v < vertices.Length; v++)
             sum += vertexWeights[v] * distances[v];
-        for (int i = 0; i < faces.Length; i++)
-            sum += faceWeights[i] * centroidDistances[i];
+        for (int f = 0; f < faceCount; f++)
+            sum += faceWeights[f] * centroidDistances[f];
         return sum / TotalWeight;
     }
 
@@ -218,44 +224,29 @@ internal sealed class FitSamples
         return true;
     }
 
-    private Vector3D Centroid(int i)
+    private bool IsLive(int face) => halfEdgeOf[face] >= 0;
+
+    private (int A, int B, int C) CornersOf(int face)
     {
-        var (a, b, c) = corners[i];
+        int h = halfEdgeOf[face];
+        return (target[h], target[next[h]], target[previous[h]]);
+    }
+
+    private Vector3D Centroid(int face)
+    {
+        var (a, b, c) = CornersOf(face);
         return (vertices[a] + vertices[b] + vertices[c]) * (1 / 3.0);
     }
 
-    private void AddSamples(int firstVertex, int endVertex, int firstFace, int endFace, UncheckedArray<FaceSums> sums)
+    private void MeasureFaces(int first, int end)
     {
-        for (int v = firstVertex; v < endVertex; v++)
+        for (int f = first; f < end; f++)
         {
-            if (survivors[v] >= 0)
-                Add(vertices[v], ref nearest[v], vertexWeights[v], sums);
-        }
-        for (int i = firstFace; i < endFace; i++)
-            Add(Centroid(i), ref nearestToCentroid[i], faceWeights[i], sums);
-    }
-
-    private static int[] LiveFaces(Mesh mesh)
-    {
-        int[] live = GC.AllocateUninitializedArray<int>(mesh.Faces.Count);
-        int count = 0;
-        for (int f = 0; f < mesh.FaceSlots; f++)
-        {
-            if (!mesh.IsDeletedFace(f))
-                live[count++] = f;
-        }
-        return live;
-    }
-
-    private void MeasureFaces(Mesh mesh, int first, int end)
-    {
-        ReadOnlySpan<int> target = mesh.Target, next = mesh.Next, previous = mesh.Previous, halfEdgeOf = mesh.HalfEdgeOf;
-        for (int i = first; i < end; i++)
-        {
-            int h = halfEdgeOf[faces[i]];
-            int a = target[h], b = target[next[h]], c = target[previous[h]];
-            corners[i] = (a, b, c);
-            faceWeights[i] = 0.5 * Vector3D.Cross(vertices[b] - vertices[a], vertices[c] - vertices[a]).Length;
+            faceWeights[f] = 0;
+            if (!IsLive(f))
+                continue;
+            var (a, b, c) = CornersOf(f);
+            faceWeights[f] = (float)(0.5 * Vector3D.Cross(vertices[b] - vertices[a], vertices[c] - vertices[a]).Length);
         }
     }
 
@@ -287,11 +278,23 @@ internal sealed class FitSamples
             (distance, best) = (d, face);
     }
 
-    private void Add(Vector3D sample, ref int face, double weight, UncheckedArray<FaceSums> sums)
+    /// <summary>Samples are numbered from the vertices on to the centroids. Those without weight are not looked at.</summary>
+    private Hit ProjectSample(int sample)
+    {
+        if (sample < vertices.Length)
+            return vertexWeights[sample] > 0 ? Project(vertices[sample], ref nearest[sample], vertexWeights[sample]) : default;
+        int f = sample - vertices.Length;
+        return faceWeights[f] > 0 ? Project(Centroid(f), ref nearestToCentroid[f], faceWeights[f]) : default;
+    }
+
+    private Hit Project(Vector3D sample, ref int face, double weight)
     {
         double d = surface.Walk(sample, ref face, out Vector3D b);
         var (i, j, k) = surface.Corners[face];
         Vector3D closest = surface.Positions[i] * b.X + surface.Positions[j] * b.Y + surface.Positions[k] * b.Z;
-        sums[face].Add(weight, Vector3D.Dot(sample - closest, surface.Normals[face]), d, b);
+        return new Hit(face, weight, Vector3D.Dot(sample - closest, surface.Normals[face]), d, b);
     }
+
+    /// <summary>Where a sample's closest point lies: the face and the weights at its corners.</summary>
+    private readonly record struct Hit(int Face, double Weight, double Residual, double DistanceSquared, Vector3D Place);
 }

@@ -86,7 +86,7 @@ public static class QuadricErrorMetric
     {
         report = Report(contraction, target, mesh.Faces.Count);
         var result = new CompactResult(mesh, contraction.Working);
-        contraction.Working.ReleaseConnectivity();
+        contraction.Release();
         return result;
     }
 

@@ -71,7 +71,6 @@ internal sealed class SurfaceFit
     private void Run(Vector3D[] start, CancellationToken cancellationToken)
     {
         Vector3D[] before = [.. start];
-        double[] distances = original.DistancesSquared(surface.Positions);
         FitSystem? system = null;
         StarErrors? errors = null;
         for (int sweep = 0; ; sweep++)
@@ -87,7 +86,7 @@ internal sealed class SurfaceFit
                 TakeBackWhatGotWorse(errors, current, before);
             if (sweep == Sweeps)
             {
-                TakeBackWhatLeftTheOriginal(distances, start, ReverseFactor * ReverseFactor * meanSquare);
+                TakeBackWhatLeftTheOriginal(start, ReverseFactor * ReverseFactor * meanSquare);
                 return;
             }
             errors = current;
@@ -138,8 +137,9 @@ internal sealed class SurfaceFit
             TakeBackTurnedFaces(positions);
     }
 
-    private void TakeBackWhatLeftTheOriginal(double[] before, Vector3D[] start, double tolerated)
+    private void TakeBackWhatLeftTheOriginal(Vector3D[] start, double tolerated)
     {
+        double[] before = original.DistancesSquared(start);
         double[] after = original.DistancesSquared(surface.Positions);
         bool any = false;
         for (int v = 0; v < surface.VertexCount; v++)

@@ -137,10 +137,11 @@ internal sealed class WorkingMesh
         Keys = default;
     }
 
-    /// <summary>Per vertex the live one that it is part of.</summary>
+    /// <summary>Per vertex the live one that it is part of. Ends the tracking: the array is the caller's.</summary>
     public int[] Survivors()
     {
         int[] survivors = Successors ?? throw new InvalidOperationException("Successors were not tracked.");
+        Successors = null;
         for (int v = 0; v < survivors.Length; v++)
         {
             int last = v;
