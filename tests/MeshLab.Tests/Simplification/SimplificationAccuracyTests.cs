@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Text.Json;
 using MeshLab.Simplification;
 using MeshLab.Structure;
@@ -10,13 +11,21 @@ namespace MeshLab.Tests.Simplification;
 [Trait("Speed", "Slow")]
 public class SimplificationAccuracyTests
 {
-    /// <summary>Cases where the fast mode is a little farther, or where few points carry most of the distance, so that it depends on the samples.</summary>
+    /// <summary>Where the best of the recorded programs is closer than that, and what is asked instead. All faces of the box assembly lie in planes at half their
+    /// number: what is measured there is rounding, 4E-11 of the diagonal.</summary>
     private static readonly Dictionary<string, double> FastExceptions = new(StringComparer.Ordinal)
     {
-        ["reference_annulus 10%"] = 1.09, ["box_assembly 10%"] = 1.12, ["horse 50%"] = 1.05,
+        ["reference_annulus 10%"] = 1.07, ["box_assembly 10%"] = 1.068, ["box_assembly 50%"] = 1.92,
     };
 
-    private static readonly MeshDistanceOptions Sampling = new() { Samples = 50_000, Seed = 12345 };
+    private static readonly ConcurrentDictionary<string, ReferenceDistance> Distances = new(StringComparer.Ordinal);
+
+    [Fact]
+    public void NumpyRandom_Seed12345_IsNumPys()
+    {
+        // The first number in NumPy's own documentation of default_rng(12345).
+        Assert.Equal(0.22733602246716966, new ReferenceDistance.NumpyRandom(12345).NextDouble());
+    }
 
     [SkippableFact]
     public void Simplify_Accurate_IsAtLeastAsCloseAsTheBestOfAllInEveryCase()
@@ -43,8 +52,6 @@ public class SimplificationAccuracyTests
         foreach ((string name, string percent, JsonElement limits) in Cases())
         {
             (double r, _) = Measure(name, limits, QuadricMode.Fast);
-            if ((name, percent) == ("box_assembly", "50%"))
-                continue;
             double limit = FastExceptions.GetValueOrDefault($"{name} {percent}", 1.03);
             Assert.True(r <= limit, $"{name} {percent}: rms {r:F3} times the best, limit {limit}");
         }
@@ -72,10 +79,10 @@ public class SimplificationAccuracyTests
         Assert.Equal(Shapes.BoundaryLoops(original), Shapes.BoundaryLoops(mesh));
         Assert.Equal(Shapes.Components(original), Shapes.Components(mesh));
         Assert.Empty(mesh.Validate());
-        MeshDistanceReport report = original.DistanceTo(mesh, Sampling);
+        (double rms, double hausdorff) = Distances.GetOrAdd(name, _ => new ReferenceDistance(original)).To(mesh);
         return (
-            report.SymmetricRms / report.Diagonal / limits.GetProperty("sampled_rms_clean").GetProperty("value").GetDouble(),
-            report.Hausdorff / report.Diagonal / limits.GetProperty("sampled_hausdorff_clean").GetProperty("value").GetDouble());
+            rms / limits.GetProperty("sampled_rms_clean").GetProperty("value").GetDouble(),
+            hausdorff / limits.GetProperty("sampled_hausdorff_clean").GetProperty("value").GetDouble());
     }
 
     private static double GeometricMean(List<double> values) => Math.Exp(values.Average(Math.Log));

@@ -1,0 +1,52 @@
+using MeshLab.Simplification;
+using MeshLab.Structure;
+using Xunit;
+
+namespace MeshLab.Tests.Simplification;
+
+/// <summary>Runs alone: the memory of other tests must not be counted.</summary>
+[CollectionDefinition(nameof(MemoryOfSimplification), DisableParallelization = true)]
+public sealed class MemoryOfSimplification;
+
+[Collection(nameof(MemoryOfSimplification))]
+[Trait("Section", "7.2")]
+[Trait("Speed", "Slow")]
+public class SimplificationMemoryTests
+{
+    /// <summary>Bytes of the columns: four numbers per half-edge, a number and a position per vertex, a number per face.</summary>
+    private static long BytesOf(Mesh mesh) => 16L * mesh.HalfEdgeSlots + 28L * mesh.VertexSlots + 4L * mesh.FaceSlots;
+
+    /// <summary>What was in use when the collector last looked, which it does now.</summary>
+    private static long LiveBytes()
+    {
+        GC.Collect();
+        GCMemoryInfo info = GC.GetGCMemoryInfo(GCKind.FullBlocking);
+        return info.HeapSizeBytes - info.FragmentedBytes;
+    }
+
+    [Theory]
+    [InlineData(QuadricMode.Fast, 0.1, 2.3)]
+    [InlineData(QuadricMode.Fast, 0.5, 2.3)]
+    [InlineData(QuadricMode.Accurate, 0.1, 3)]
+    [InlineData(QuadricMode.Accurate, 0.5, 3)]
+    public void Simplify_NeedsAtMostSoManyTimesTheMemoryOfTheMesh(QuadricMode mode, double ratio, double most)
+    {
+        Mesh mesh = Shapes.Torus(300, 150);
+        mesh.Clone().Simplify(new() { Mode = mode, TargetRatio = ratio });
+        long bytes = BytesOf(mesh), before = LiveBytes(), peak = 0;
+        using var done = new ManualResetEventSlim();
+        var watcher = new Thread(() =>
+        {
+            while (!done.IsSet)
+                peak = Math.Max(peak, LiveBytes() - before);
+        });
+        watcher.Start();
+
+        mesh.Simplify(new() { Mode = mode, TargetRatio = ratio });
+
+        done.Set();
+        watcher.Join();
+        Assert.InRange(peak / (double)bytes, 0.5, most);
+        Assert.Empty(mesh.Validate());
+    }
+}
