@@ -9,6 +9,7 @@ internal sealed class EdgeTable
     private readonly (int A, int B)[] pairs;
     private readonly int shift;
 
+    /// <summary>An empty table.</summary>
     /// <param name="most">At most so many different pairs will come.</param>
     public EdgeTable(int most)
     {
