@@ -48,9 +48,11 @@ field() { sed -n "s/.*\"$1\":\([0-9]*\).*/\1/p" <<< "$info"; }
 while IFS='|' read -r file recipe what; do
     [ -n "$file" ] || continue
     name=${file%.*}
+    view=30,20
+    [ "$name" != tetrahedron ] || view=75,24 # from the usual side one sees a single face
     read -ra words <<< "$recipe"
     mlab generate "${words[0]}" "$file" "${words[@]:1}" --json > /dev/null
-    mlab render "$file" "pictures/$name.png" --size 320x256 --view 48,24 --json > /dev/null
+    mlab render "$file" "pictures/$name.png" --size 320x256 --view "$view" --json > /dev/null
     info=$(mlab info "$file" --json | tr -d ' \n' | sed 's/"input":{[^}]*},*//')
     echo "| ![$name](pictures/$name.png) | [$file]($file) | $(field vertices) | $(field edges) | $(field faces) | $(field components) |" \
         "$(field boundaryLoops) | $(field genus) | $what | \`mlab generate $recipe\` |" >> README.md

@@ -7,7 +7,7 @@ namespace MeshLab.Demos.Chapter02;
 /// <summary>What the demos of chapter 2 show of each shape.</summary>
 internal static class ShapeTable
 {
-    private static readonly View FromAbove = new(30, 60), FromTheSide = new(48, 24);
+    private static readonly View FromAbove = new(30, 60), FromTheSide = new(75, 24);
 
     public static void Show(DemoOutput output, string title, params (string Name, Mesh Mesh)[] shapes)
     {

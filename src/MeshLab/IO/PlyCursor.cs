@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Buffers.Text;
 
 namespace MeshLab.IO;
 
@@ -68,7 +69,7 @@ internal ref struct PlyCursor
         {
             scanner.SkipBlanks();
             numberPosition = scanner.Position;
-            return scanner.ReadInteger("an integer");
+            return type == PlyType.UInt32 && TryTakeLarge(out long large) ? large : scanner.ReadInteger("an integer");
         }
 
         ReadOnlySpan<byte> bytes = Take(PlyHeader.SizeOf(type));
@@ -98,6 +99,19 @@ internal ref struct PlyCursor
         int count = property.LengthType is PlyType lengthType ? ReadLength(lengthType) : 1;
         for (int k = 0; k < count; k++)
             ReadNumber(property.Type);
+    }
+
+    /// <summary>Takes an unsigned integer beyond the signed ones, such as the −1 that ends a strip.</summary>
+    private bool TryTakeLarge(out long large)
+    {
+        const int LeastDigits = 10;
+        ReadOnlySpan<byte> token = scanner.PeekToken();
+        large = 0;
+        if (token.Length < LeastDigits || !Utf8Parser.TryParse(token, out uint value, out int used) || used != token.Length || value <= int.MaxValue)
+            return false;
+        scanner.Position += used;
+        large = value;
+        return true;
     }
 
     /// <summary>Skips an element that holds nothing for a mesh.</summary>

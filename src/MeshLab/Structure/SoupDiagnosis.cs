@@ -44,7 +44,7 @@ internal static class SoupDiagnosis
             int repeated = RepeatedVertex(face);
             if (face.Length >= 3 && repeated < 0)
                 continue;
-            elements.Add(ElementName.Face(f));
+            AddNew(elements, repeated >= 0 ? [ElementName.Face(f), ElementName.Vertex(face[repeated])] : [ElementName.Face(f)]);
             message ??= repeated >= 0
                 ? $"f{f} has v{face[repeated]} twice."
                 : $"f{f} has {face.Length} vertices; a face has at least 3.";

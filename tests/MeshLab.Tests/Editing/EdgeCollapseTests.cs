@@ -204,4 +204,33 @@ public class EdgeCollapseTests
         Assert.True(h.CollapseFlips(new Vector3D(5, 5, 0)));
         Assert.Throws<ArgumentOutOfRangeException>(() => h.CollapseFlips(default, 1.5));
     }
+
+    /// <summary>Beside the definition itself: a face of the ring, other than the two that vanish, turns by 90° or more.</summary>
+    [Theory]
+    [InlineData("grid")]
+    [InlineData("holes")]
+    [InlineData("bumpy-sphere")]
+    public void CollapseFlips_AnyPlace_AgreesWithTheDefinition(string name)
+    {
+        Mesh mesh = Models.Create(name);
+        var random = new Random(4);
+        int flips = 0;
+        foreach (HalfEdge h in mesh.HalfEdges)
+        {
+            Vector3D source = h.Source.Position, target = h.Target.Position;
+            Vector3D place = (source + target) * 0.5 + (target - source).Length * new Vector3D(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5) * 2;
+            bool expected = Turns(h.Source) || Turns(h.Target);
+            Assert.True(expected == h.CollapseFlips(place), $"{name} {h}");
+            flips += expected ? 1 : 0;
+
+            bool Turns(Vertex v) => v.Faces.Any(f => f != h.Face && f != h.Twin.Face && Vector3D.Dot(Normal(f, v, v.Position), Normal(f, v, place)) < 0);
+        }
+        Assert.InRange(flips, mesh.HalfEdges.Count / 20, mesh.HalfEdges.Count);
+
+        static Vector3D Normal(Face f, Vertex moved, Vector3D to)
+        {
+            Vector3D[] p = [.. f.Vertices.Select(v => v == moved ? to : v.Position)];
+            return Vector3D.Cross(p[1] - p[0], p[2] - p[0]);
+        }
+    }
 }

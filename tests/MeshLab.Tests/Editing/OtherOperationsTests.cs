@@ -235,4 +235,33 @@ public class OtherOperationsTests
         Assert.Equal(1, result.Components);
         Assert.Empty(result.Reversed);
     }
+
+    [Fact]
+    public void ReorderBySpace_ShuffledGrid_FollowsTheMortonCurve()
+    {
+        const int Side = 16;
+        int[] place = [.. Enumerable.Range(0, Side * Side)];
+        new Random(3).Shuffle(place);
+        var positions = new Vector3D[place.Length];
+        for (int i = 0; i < place.Length; i++)
+            positions[place[i]] = new(i % Side, i / Side, 0);
+        int[][] faces =
+        [
+            .. from y in Enumerable.Range(0, Side - 1)
+               from x in Enumerable.Range(0, Side - 1)
+               let i = x + (Side * y)
+               select (int[])[place[i], place[i + 1], place[i + Side + 1], place[i + Side]],
+        ];
+        Mesh mesh = MeshBuilder.FromPolygons(positions, faces);
+        mesh.ReorderBySpace();
+
+        // In a square of 2ᵏ points the curve visits the four quarters one after the other: bits of x and y alternate.
+        int[] codes = [.. mesh.Vertices.Select(v => Code((int)v.Position.X, (int)v.Position.Y))];
+        Assert.Equal(codes.Order(), codes);
+        int[] smallest = [.. mesh.Faces.Select(f => f.Vertices.Min(v => v.Index))];
+        Assert.Equal(smallest.Order(), smallest);
+        Assert.Empty(mesh.Validate());
+
+        static int Code(int x, int y) => Enumerable.Range(0, 4).Sum(bit => ((x >> bit & 1) << (2 * bit)) + ((y >> bit & 1) << ((2 * bit) + 1)));
+    }
 }

@@ -356,4 +356,24 @@ public class ShapeCatalogTests
         Assert.Throws<ArgumentException>(() => torus.Create(new Dictionary<string, double>(StringComparer.Ordinal) { ["major"] = double.NaN }));
         Assert.Throws<TopologyException>(() => ShapeCatalog.Find("moebius").Create());
     }
+
+    [Fact]
+    public void Shapes_OfImpossibleSizes_AreRefusedAtOnce()
+    {
+        Assert.Throws<ArgumentOutOfRangeException>(() => Spheres.Icosphere(2, -1));
+        Assert.Throws<ArgumentOutOfRangeException>(() => Spheres.Icosphere(2, double.NaN));
+        Assert.Throws<ArgumentOutOfRangeException>(() => Sweeps.TorusKnot(around: 2));
+        Assert.Throws<ArgumentOutOfRangeException>(() => Tori.Torus(m: 1_000_000, n: 1_000_000));
+    }
+
+    [Fact]
+    public void Polygon_TextureCoordinates_AreThePlacesInTheSquareAroundIt()
+    {
+        Mesh mesh = Polygons.Polygon(6);
+        foreach (Vertex v in mesh.Vertices)
+        {
+            Assert.Equal(v.Position.X + 0.5, v.Traits.UV.X, 12);
+            Assert.Equal(v.Position.Y + 0.5, v.Traits.UV.Y, 12);
+        }
+    }
 }

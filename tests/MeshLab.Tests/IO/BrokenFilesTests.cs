@@ -58,7 +58,7 @@ public class BrokenFilesTests
         ["own_bowtie_vertex.obj"] = new NotManifold(5, 2, "v0"),
         ["own_cr_only_cube.obj"] = new Loads(8, 12),
         ["own_crlf_cube.obj"] = new Loads(8, 12),
-        ["own_degenerate_index.obj"] = new NotManifold(8, 13, "f12"),
+        ["own_degenerate_index.obj"] = new NotManifold(8, 13, "f12", "v0"),
         ["own_degenerate_zero_area.obj"] = new Loads(9, 3),
         ["own_duplicate_face.obj"] = new NotManifold(8, 13, "f0", "f12", "v1", "v2", "v3"),
         ["own_duplicate_face_flipped.obj"] = new NotManifold(8, 13, "f0", "f12", "v1", "v2", "v3"),

@@ -205,4 +205,16 @@ public sealed class MeshFileTests : IDisposable
     {
         public void Report(double value) => steps.Add(value);
     }
+
+    [SkippableFact]
+    public void Write_OverAFile_KeepsItsPermissions()
+    {
+        Skip.If(OperatingSystem.IsWindows(), "Windows has other permissions.");
+#pragma warning disable CA1416 // Skipped above.
+        File.WriteAllText(PathOf("mine.obj"), "old");
+        File.SetUnixFileMode(PathOf("mine.obj"), UnixFileMode.UserRead | UnixFileMode.UserWrite);
+        MeshFile.Write(Read(CubeObj, MeshFormat.Obj), PathOf("mine.obj"));
+        Assert.Equal(UnixFileMode.UserRead | UnixFileMode.UserWrite, File.GetUnixFileMode(PathOf("mine.obj")));
+#pragma warning restore CA1416
+    }
 }

@@ -112,4 +112,18 @@ public class PlyReaderTests
             Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 1_000_000);
         }
     }
+
+    /// <summary>A strip ends at −1, which an unsigned index cannot say but by its largest value; every second triangle is turned back.</summary>
+    [Theory]
+    [InlineData("int", "-1")]
+    [InlineData("uint", "4294967295")]
+    public void ReadData_TriangleStrips_AreUnrolled(string type, string end)
+    {
+        MeshData data = ReadData(
+            "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\n" +
+            $"property list int {type} vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n9 0 1 2 3 {end} 2 3 4 {end}\n",
+            MeshFormat.Ply);
+        Assert.Equal([0, 1, 2, 2, 1, 3, 2, 3, 4], data.Corners);
+        Assert.Equal([0, 3, 6, 9], data.FaceStart);
+    }
 }

@@ -240,4 +240,20 @@ public class RepresentationTests
         foreach (Face f in mesh.Faces.Take(60))
             Assert.Equal(f.Edges.ToArray().Select(e => e.Index), winged.EdgesOfFace(f.Index));
     }
+
+    [Fact]
+    public void Queries_OfAnElementThatIsNotThere_SayWhichRange()
+    {
+        Mesh mesh = Models.Create("octahedron");
+        foreach (IAdjacencyQueries queries in (IAdjacencyQueries[])
+            [FaceBasedMesh.FromMesh(mesh), EdgeBasedMesh.FromMesh(mesh), WingedEdgeMesh.FromMesh(mesh), CornerTable.FromMesh(mesh), SharedVertexMesh.FromMesh(mesh)])
+        {
+            foreach (int index in (int[])[-1, 8, int.MaxValue])
+            {
+                Assert.Throws<ArgumentOutOfRangeException>(() => queries.FaceVertices(index));
+                Assert.Throws<ArgumentOutOfRangeException>(() => queries.FacesBeside(index));
+                Assert.Throws<ArgumentOutOfRangeException>(() => queries.NeighborsOf(index));
+            }
+        }
+    }
 }

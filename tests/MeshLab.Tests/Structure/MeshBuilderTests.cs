@@ -143,4 +143,31 @@ public class MeshBuilderTests
         Assert.Equal((4, 2), (builder.VertexCount, builder.FaceCount));
         Assert.Equal(2, builder.Build().Faces.Count);
     }
+
+    /// <summary>Long faces are searched in another way than short ones.</summary>
+    [Theory]
+    [InlineData(5)]
+    [InlineData(64)]
+    [InlineData(65)]
+    [InlineData(200)]
+    public void FromFaces_RepeatedVertexInALongFace_IsNamed(int corners)
+    {
+        int[] face = [.. Enumerable.Range(0, corners - 1), corners - 3];
+        TopologyException error = Assert.Throws<TopologyException>(() => MeshBuilder.FromFaces(corners, face));
+        Assert.Contains("f0", error.Elements, StringComparer.Ordinal);
+        Assert.Contains($"v{corners - 3}", error.Elements, StringComparer.Ordinal);
+        face[^1] = corners - 1;
+        Assert.Equal(corners, MeshBuilder.FromFaces(corners, face).Faces[0].Degree);
+    }
+
+    [Fact]
+    public void BoundingBox_AfterDeletion_IsThatOfTheLiving()
+    {
+        Mesh mesh = Models.Create("grid");
+        Vertex far = mesh.AddVertex(new(100, 100, 100));
+        Assert.Equal(100, mesh.BoundingBox.Max.Z);
+        MeshLab.Editing.VertexRemoval.Delete(far);
+        Assert.Equal(0, mesh.BoundingBox.Max.Z);
+        Assert.Empty(mesh.Validate());
+    }
 }
