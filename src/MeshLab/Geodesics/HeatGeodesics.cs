@@ -56,24 +56,36 @@ public sealed class HeatGeodesics
         options ??= new HeatOptions();
         this.mesh = mesh;
         cotangent = OppositeCotangents.Of(mesh, out double[] doubleArea);
-        mass = MassMatrix.Lumped(mesh, cotangent, doubleArea, MassKind.Barycentric);
         (index, slots) = NumberVertices(mesh);
-        component = VertexComponents.Of(mesh);
-
         SparseMatrix laplacian = Laplacian.Assemble(mesh, Laplacian.CotangentWeights(cotangent, double.NegativeInfinity), perHalfEdge: false);
         if (slots.Length < mesh.VertexSlots)
             laplacian = laplacian.Principal(index, slots.Length);
-        double time = options.TimeFactor * MeanEdgeLength(mesh) * MeanEdgeLength(mesh);
-        SparseMatrix diffusion = laplacian.ScaleAndAdd(time, SparseMatrix.FromDiagonal(Array.ConvertAll(slots, v => mass[v])));
-        FillEmptyRows(diffusion);
-        FillEmptyRows(laplacian);
-        // The Laplacian alone is singular: doubling one diagonal entry per component fixes that vertex at 0, since the right-hand side sums to 0.
-        PinComponents(laplacian);
+
+        // The analysis reads the places of the entries alone, so that their values may be worked on meanwhile.
+        CholeskyAnalysis? analysis = null;
+        (double[] Mass, int[] Component, SparseMatrix Diffusion)? rest = null;
+        Parallelism.Invoke(
+            () => analysis = CholeskyAnalysis.Of(laplacian, Array.ConvertAll(slots, v => mesh.positions[v])),
+            () =>
+            {
+                double[] masses = MassMatrix.Lumped(mesh, cotangent, doubleArea, MassKind.Barycentric);
+                int[] components = VertexComponents.Of(mesh);
+                double edge = MeanEdgeLength(mesh);
+                SparseMatrix sum = laplacian.ScaleAndAdd(options.TimeFactor * edge * edge, SparseMatrix.FromDiagonal(Array.ConvertAll(slots, v => masses[v])));
+                FillEmptyRows(sum);
+                FillEmptyRows(laplacian);
+                // The Laplacian alone is singular: doubling one diagonal entry per component fixes that vertex at 0, since the right-hand side sums to 0.
+                PinComponents(laplacian, slots, components);
+                rest = (masses, components, sum);
+            });
+        (mass, component, SparseMatrix diffusion) = rest!.Value;
 
         var accept = new CholeskyOptions { RelativeZero = 0 };
-        CholeskyAnalysis analysis = CholeskyAnalysis.Of(diffusion, Array.ConvertAll(slots, v => mesh.positions[v]));
-        heat = new SparseCholesky(diffusion, analysis, accept, cancellationToken);
-        poisson = new SparseCholesky(laplacian, analysis, accept, cancellationToken);
+        SparseCholesky? ofDiffusion = null, ofLaplacian = null;
+        Parallelism.Invoke(
+            () => ofDiffusion = new SparseCholesky(diffusion, analysis!, accept, cancellationToken),
+            () => ofLaplacian = new SparseCholesky(laplacian, analysis!, accept, cancellationToken));
+        (heat, poisson) = (ofDiffusion!, ofLaplacian!);
     }
 
     /// <summary>The distance from the nearest of some vertices.</summary>
@@ -90,8 +102,7 @@ public sealed class HeatGeodesics
                 start[index[source.Index]] = SourceHeat * mass[source.Index];
         }
         double[] u = heat.Solve(start);
-        Vector3D[] direction = FlowDirections(u);
-        double[] phi = poisson.Solve(NegativeDivergence(direction));
+        double[] phi = poisson.Solve(Divergence(FluxOfFlow(u)));
         return Shift(phi, sources);
     }
 
@@ -137,7 +148,7 @@ public sealed class HeatGeodesics
             d = d == 0 ? 1 : d;
     }
 
-    private void PinComponents(SparseMatrix laplacian)
+    private static void PinComponents(SparseMatrix laplacian, int[] slots, int[] component)
     {
         Span<double> diagonal = laplacian.Diagonal;
         for (int i = 0; i < slots.Length; i++)
@@ -147,62 +158,61 @@ public sealed class HeatGeodesics
         }
     }
 
-    // X = −∇u/|∇u| per face. With N the (long) normal, ∇u is a multiple of (u₁ − u₀) N × (p₀ − p₂) + (u₂ − u₀) N × (p₁ − p₀).
-    private Vector3D[] FlowDirections(double[] u)
+    // Per half-edge what flows into its source within its face, along X = −∇u/|∇u|: −½ (cot θ₁ (e₁·X) + cot θ₂ (e₂·X)).
+    private double[] FluxOfFlow(double[] u)
+    {
+        var flux = new double[mesh.HalfEdgeSlots];
+        Parallelism.ForBlocks(mesh.FaceSlots, (from, to) => FillFlux(mesh, index, cotangent, u, flux, from, to));
+        return flux;
+    }
+
+    // With N the (long) normal, ∇u is a multiple of N × ((u₂ − u₀)(p₁ − p₀) − (u₁ − u₀)(p₂ − p₀)).
+    private static void FillFlux(Mesh mesh, int[] index, double[] cotangent, double[] u, double[] flux, int from, int to)
     {
         int[] next = mesh.next, target = mesh.target, halfEdgeOf = mesh.halfEdgeOf;
         Vector3D[] position = mesh.positions;
-        var direction = new Vector3D[mesh.FaceSlots];
-        Parallelism.ForBlocks(direction.Length, (from, to) =>
+        for (int f = from; f < to; f++)
         {
-            for (int f = from; f < to; f++)
-            {
-                int h = halfEdgeOf[f];
-                if (h < 0)
-                    continue;
-                int v0 = target[h], v1 = target[next[h]], v2 = target[next[next[h]]];
-                double d1 = u[index[v1]] - u[index[v0]], d2 = u[index[v2]] - u[index[v0]];
-                double largest = Math.Max(Math.Abs(d1), Math.Abs(d2));
-                if (!(largest > 0))
-                    continue;
-                Vector3D e1 = position[v1] - position[v0], e2 = position[v2] - position[v0], normal = Vector3D.Cross(e1, e2);
-                // Only the direction counts: dividing first keeps tiny and huge temperatures from under- and overflowing.
-                Vector3D gradient = Vector3D.Cross(normal, (d2 / largest) * e1 - (d1 / largest) * e2);
-                direction[f] = -gradient.Normalized();
-            }
-        });
-        return direction;
+            int h0 = halfEdgeOf[f];
+            if (h0 < 0)
+                continue;
+            int h1 = next[h0], h2 = next[h1], v0 = target[h0], v1 = target[h1], v2 = target[h2];
+            double u0 = u[index[v0]], d1 = u[index[v1]] - u0, d2 = u[index[v2]] - u0, largest = Math.Max(Math.Abs(d1), Math.Abs(d2));
+            if (!(largest > 0))
+                continue;
+            Vector3D p0 = position[v0], e1 = position[v1] - p0, e0 = p0 - position[v2], e2 = -(e0 + e1);
+            // Only the direction counts: dividing first keeps tiny and huge temperatures from under- and overflowing.
+            Vector3D gradient = Vector3D.Cross(Vector3D.Cross(e0, e1), (d2 / largest) * e1 + (d1 / largest) * e0), x = gradient.Normalized();
+            double along0 = 0.5 * cotangent[h0] * Vector3D.Dot(e0, x), along1 = 0.5 * cotangent[h1] * Vector3D.Dot(e1, x), along2 = 0.5 * cotangent[h2] * Vector3D.Dot(e2, x);
+            flux[h1] = along1 - along0;
+            flux[h2] = along2 - along1;
+            flux[h0] = along0 - along2;
+        }
     }
 
-    // −∇·X, integrated over each vertex's cell: −½ Σ (cot θ₁ (e₁·X) + cot θ₂ (e₂·X)) over the faces around it.
-    private double[] NegativeDivergence(Vector3D[] direction)
+    // −∇·X, integrated over each vertex's cell.
+    private double[] Divergence(double[] flux)
     {
-        int[] next = mesh.next, target = mesh.target, outgoing = mesh.outgoing, face = mesh.face;
-        Vector3D[] position = mesh.positions;
         var divergence = new double[slots.Length];
-        Parallelism.ForBlocks(slots.Length, (from, to) =>
-        {
-            for (int i = from; i < to; i++)
-            {
-                int first = outgoing[slots[i]], h = first;
-                Vector3D p = position[slots[i]];
-                double sum = 0;
-                do
-                {
-                    if (face[h] >= 0)
-                    {
-                        int opposite = next[h], last = next[opposite];
-                        Vector3D x = direction[face[h]];
-                        sum += cotangent[h] * Vector3D.Dot(position[target[h]] - p, x);
-                        sum += cotangent[last] * Vector3D.Dot(position[target[opposite]] - p, x);
-                    }
-                    h = next[h ^ 1];
-                }
-                while (h != first);
-                divergence[i] = -0.5 * sum;
-            }
-        });
+        Parallelism.ForBlocks(slots.Length, (from, to) => Gather(mesh, slots, flux, divergence, from, to));
         return divergence;
+    }
+
+    private static void Gather(Mesh mesh, int[] slots, double[] flux, double[] divergence, int from, int to)
+    {
+        int[] next = mesh.next, outgoing = mesh.outgoing;
+        for (int i = from; i < to; i++)
+        {
+            int first = outgoing[slots[i]], h = first;
+            double sum = 0;
+            do
+            {
+                sum += flux[h];
+                h = next[h ^ 1];
+            }
+            while (h != first);
+            divergence[i] = sum;
+        }
     }
 
     // In every component the mean over its sources becomes 0.
