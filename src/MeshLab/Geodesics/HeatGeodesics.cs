@@ -19,6 +19,12 @@ public sealed record HeatOptions
             timeFactor = value;
         }
     }
+
+    /// <summary>
+    /// Whether the work is done on the intrinsic Delaunay triangulation (<see cref="IntrinsicDelaunay"/>): the same surface and vertices, without negative weights.
+    /// Slower to prepare, and a great deal more exact on meshes with slivers.
+    /// </summary>
+    public bool IntrinsicDelaunay { get; init; }
 }
 
 /// <summary>热方法测地距离 (geodesic distance by the heat method): heat flows away from the sources along shortest paths.</summary>
@@ -31,8 +37,8 @@ public sealed record HeatOptions
 /// </list>
 /// <para>
 /// Both matrices are factored once (their places are the same, so they share the analysis), after which every set of sources costs two solutions.
-/// Cotangent weights, barycentric masses, natural boundary. Compared with the exact polyhedral distance the error falls with the edge length; on
-/// coarse and uneven meshes expect some percent.
+/// Cotangent weights, barycentric masses, natural boundary. On regular meshes the error is about half an edge length, one percent of the largest distance or less; on
+/// uneven ones expect two to six percent, and much more where slivers make weights negative: <see cref="HeatOptions.IntrinsicDelaunay"/> helps.
 /// </para>
 /// </remarks>
 public sealed class HeatGeodesics
@@ -41,6 +47,8 @@ public sealed class HeatGeodesics
     private const double SourceHeat = 1e250;
 
     private readonly Mesh mesh;
+    private readonly IntrinsicDelaunay? intrinsic;
+    private readonly int[] next, outgoing;
     private readonly double[] cotangent, mass;
     private readonly int[] index, slots, component;
     private readonly SparseCholesky heat, poisson;
@@ -55,9 +63,22 @@ public sealed class HeatGeodesics
         ArgumentNullException.ThrowIfNull(mesh);
         options ??= new HeatOptions();
         this.mesh = mesh;
-        cotangent = OppositeCotangents.Of(mesh, out double[] doubleArea);
         (index, slots) = NumberVertices(mesh);
-        SparseMatrix laplacian = Laplacian.Assemble(mesh, Laplacian.CotangentWeights(cotangent, double.NegativeInfinity), perHalfEdge: false);
+        double[] doubleArea = [];
+        SparseMatrix laplacian;
+        if (options.IntrinsicDelaunay)
+        {
+            intrinsic = LinearAlgebra.IntrinsicDelaunay.Of(mesh);
+            (next, outgoing) = (intrinsic.Next, Outgoing(intrinsic, mesh.VertexSlots));
+            cotangent = intrinsic.ComputeCotangents();
+            laplacian = intrinsic.ComputeLaplacian();
+        }
+        else
+        {
+            (next, outgoing) = (mesh.next, mesh.outgoing);
+            cotangent = OppositeCotangents.Of(mesh, out doubleArea);
+            laplacian = Laplacian.Assemble(mesh, Laplacian.CotangentWeights(cotangent, double.NegativeInfinity), perHalfEdge: false);
+        }
         if (slots.Length < mesh.VertexSlots)
             laplacian = laplacian.Principal(index, slots.Length);
 
@@ -68,7 +89,7 @@ public sealed class HeatGeodesics
             () => analysis = CholeskyAnalysis.Of(laplacian, Array.ConvertAll(slots, v => mesh.positions[v])),
             () =>
             {
-                double[] masses = MassMatrix.Lumped(mesh, cotangent, doubleArea, MassKind.Barycentric);
+                double[] masses = intrinsic is null ? MassMatrix.Lumped(mesh, cotangent, doubleArea, MassKind.Barycentric) : Masses(intrinsic, mesh.VertexSlots);
                 int[] components = VertexComponents.Of(mesh);
                 double edge = MeanEdgeLength(mesh);
                 SparseMatrix sum = laplacian.ScaleAndAdd(options.TimeFactor * edge * edge, SparseMatrix.FromDiagonal(Array.ConvertAll(slots, v => masses[v])));
@@ -124,6 +145,35 @@ public sealed class HeatGeodesics
         return (index, slots[..count]);
     }
 
+    // Some half-edge of the triangulation that leaves each vertex; flips have taken away those of the mesh.
+    private static int[] Outgoing(IntrinsicDelaunay triangulation, int vertexSlots)
+    {
+        var outgoing = new int[vertexSlots];
+        Array.Fill(outgoing, -1);
+        for (int h = 0; h < triangulation.Next.Length; h++)
+        {
+            if (triangulation.Next[h] >= 0)
+                outgoing[triangulation.Target[h ^ 1]] = h;
+        }
+        return outgoing;
+    }
+
+    private static double[] Masses(IntrinsicDelaunay triangulation, int vertexSlots)
+    {
+        var mass = new double[vertexSlots];
+        foreach (int h in triangulation.HalfEdgeOf)
+        {
+            if (h < 0)
+                continue;
+            (Vector3D first, Vector3D second) = triangulation.Unfold(h);
+            double third = Vector3D.Cross(first, second).Length / 6;
+            mass[triangulation.Target[h]] += third;
+            mass[triangulation.Target[triangulation.Next[h]]] += third;
+            mass[triangulation.Target[h ^ 1]] += third;
+        }
+        return mass;
+    }
+
     private static double MeanEdgeLength(Mesh mesh)
     {
         int[] next = mesh.next, target = mesh.target;
@@ -162,15 +212,18 @@ public sealed class HeatGeodesics
     private double[] FluxOfFlow(double[] u)
     {
         var flux = new double[mesh.HalfEdgeSlots];
-        Parallelism.ForBlocks(mesh.FaceSlots, (from, to) => FillFlux(mesh, index, cotangent, u, flux, from, to));
+        if (intrinsic is null)
+            Parallelism.ForBlocks(mesh.FaceSlots, (from, to) => FillFlux(new InSpace(mesh), index, cotangent, u, flux, from, to));
+        else
+            Parallelism.ForBlocks(mesh.FaceSlots, (from, to) => FillFlux(new Unfolded(intrinsic), index, cotangent, u, flux, from, to));
         return flux;
     }
 
     // With N the (long) normal, ∇u is a multiple of N × ((u₂ − u₀)(p₁ − p₀) − (u₁ − u₀)(p₂ − p₀)).
-    private static void FillFlux(Mesh mesh, int[] index, double[] cotangent, double[] u, double[] flux, int from, int to)
+    private static void FillFlux<TTriangles>(TTriangles triangles, int[] index, double[] cotangent, double[] u, double[] flux, int from, int to)
+        where TTriangles : struct, ITriangles
     {
-        int[] next = mesh.next, target = mesh.target, halfEdgeOf = mesh.halfEdgeOf;
-        Vector3D[] position = mesh.positions;
+        int[] next = triangles.Next, target = triangles.Target, halfEdgeOf = triangles.HalfEdgeOf;
         for (int f = from; f < to; f++)
         {
             int h0 = halfEdgeOf[f];
@@ -180,7 +233,8 @@ public sealed class HeatGeodesics
             double u0 = u[index[v0]], d1 = u[index[v1]] - u0, d2 = u[index[v2]] - u0, largest = Math.Max(Math.Abs(d1), Math.Abs(d2));
             if (!(largest > 0))
                 continue;
-            Vector3D p0 = position[v0], e1 = position[v1] - p0, e0 = p0 - position[v2], e2 = -(e0 + e1);
+            (Vector3D e1, Vector3D e2) = triangles.Vectors(h1, v0, v1, v2);
+            Vector3D e0 = -(e1 + e2);
             // Only the direction counts: dividing first keeps tiny and huge temperatures from under- and overflowing.
             Vector3D gradient = Vector3D.Cross(Vector3D.Cross(e0, e1), (d2 / largest) * e1 + (d1 / largest) * e0), x = gradient.Normalized();
             double along0 = 0.5 * cotangent[h0] * Vector3D.Dot(e0, x), along1 = 0.5 * cotangent[h1] * Vector3D.Dot(e1, x), along2 = 0.5 * cotangent[h2] * Vector3D.Dot(e2, x);
@@ -194,13 +248,12 @@ public sealed class HeatGeodesics
     private double[] Divergence(double[] flux)
     {
         var divergence = new double[slots.Length];
-        Parallelism.ForBlocks(slots.Length, (from, to) => Gather(mesh, slots, flux, divergence, from, to));
+        Parallelism.ForBlocks(slots.Length, (from, to) => Gather(next, outgoing, slots, flux, divergence, from, to));
         return divergence;
     }
 
-    private static void Gather(Mesh mesh, int[] slots, double[] flux, double[] divergence, int from, int to)
+    private static void Gather(int[] next, int[] outgoing, int[] slots, double[] flux, double[] divergence, int from, int to)
     {
-        int[] next = mesh.next, outgoing = mesh.outgoing;
         for (int i = from; i < to; i++)
         {
             int first = outgoing[slots[i]], h = first;
@@ -247,5 +300,42 @@ public sealed class HeatGeodesics
                 distance[source.Index] = 0;
         }
         return distance;
+    }
+
+    /// <summary>Triangles to work on; the vectors are those of a half-edge and the next one, in space or unfolded.</summary>
+    private interface ITriangles
+    {
+        int[] Next { get; }
+
+        int[] Target { get; }
+
+        int[] HalfEdgeOf { get; }
+
+        (Vector3D First, Vector3D Second) Vectors(int halfEdge, int from, int middle, int to);
+    }
+
+    private readonly struct InSpace(Mesh mesh) : ITriangles
+    {
+        private readonly Vector3D[] position = mesh.positions;
+
+        public int[] Next => mesh.next;
+
+        public int[] Target => mesh.target;
+
+        public int[] HalfEdgeOf => mesh.halfEdgeOf;
+
+        public (Vector3D First, Vector3D Second) Vectors(int halfEdge, int from, int middle, int to) =>
+            (position[middle] - position[from], position[to] - position[middle]);
+    }
+
+    private readonly struct Unfolded(IntrinsicDelaunay triangulation) : ITriangles
+    {
+        public int[] Next => triangulation.Next;
+
+        public int[] Target => triangulation.Target;
+
+        public int[] HalfEdgeOf => triangulation.HalfEdgeOf;
+
+        public (Vector3D First, Vector3D Second) Vectors(int halfEdge, int from, int middle, int to) => triangulation.Unfold(halfEdge);
     }
 }

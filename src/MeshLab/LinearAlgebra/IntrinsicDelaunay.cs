@@ -61,6 +61,23 @@ public sealed class IntrinsicDelaunay
     /// <param name="edge">The edge slot.</param>
     public double CotangentWeight(int edge) => 0.5 * (Cotangent(2 * edge) + Cotangent(2 * edge + 1));
 
+    internal int[] Next => next;
+
+    internal int[] Target => target;
+
+    internal int[] HalfEdgeOf => halfEdgeOf;
+
+    /// <summary>Per half-edge the cotangent of the angle opposite to it; 0 on the boundary.</summary>
+    internal double[] ComputeCotangents() => [.. Enumerable.Range(0, next.Length).Select(h => next[h] < 0 ? 0 : Cotangent(h))];
+
+    /// <summary>A triangle unfolded into the plane: the vectors along its half-edge and the next one.</summary>
+    internal (Vector3D First, Vector3D Second) Unfold(int h)
+    {
+        double ab = Length(h);
+        (double x, double y) = Apex(ab, Length(next[next[h]]), Length(next[h]));
+        return (new(ab, 0, 0), new(x - ab, y, 0));
+    }
+
     /// <summary>The Laplace matrix over the vertex slots.</summary>
     public SparseMatrix ComputeLaplacian()
     {

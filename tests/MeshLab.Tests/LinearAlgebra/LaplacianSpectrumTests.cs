@@ -100,6 +100,9 @@ public class LaplacianSpectrumTests
     [InlineData("reference_annulus")]
     [InlineData("box_assembly")]
     [InlineData("featuretype")]
+    [InlineData("rocker_arm")]
+    [InlineData("camelhead")]
+    [InlineData("stanford_bunny")]
     public void ComputeSmallestEigenpairs_ReferenceModel_GivesTheReferenceValues(string name)
     {
         Mesh mesh = MeshFile.Read(ReferenceData.ModelPath(name));

@@ -126,6 +126,33 @@ public class ElementGroupTests
         Assert.Equal(mesh.BoundaryLoopCount, groups[^1].RimLoops.Length);
     }
 
+    /// <summary>Time follows memory here: every step of a walk adds an element to a list or a set. A hundred times the mesh must not cost a byte more.</summary>
+    [Fact]
+    public void Queries_MeshesOfDifferentSize_CostTheSame()
+    {
+        Mesh small = Grid(20), large = Grid(200);
+        foreach (Func<Vertex, object> query in (Func<Vertex, object>[])
+        [
+            v => v.RingVertices, v => v.SpokeEdges, v => v.LinkEdges, v => v.IncidentFaces, v => v.Ring(3), v => v.Disk(3),
+            v => v.SpokeEdges[0].LoopVertices, v => v.SpokeEdges[0].LoopEdges, v => v.SpokeEdges[0].TouchingFaces, v => v.SpokeEdges[0].Ring(2),
+            v => v.IncidentFaces[0].FacesSharingVertex, v => v.IncidentFaces[0].FacesSharingEdge, v => v.IncidentFaces[0].RingVertices, v => v.IncidentFaces[0].RingEdges,
+            v => v.Mesh.Group(v.Disk(2)).RingVertices, v => v.Mesh.Group(v.SpokeEdges).RingFaces, v => v.Mesh.Group(v.IncidentFaces).RingEdges,
+            v => v.Mesh.Group(v.Disk(2)).RimLoops, v => v.Mesh.Group(v.IncidentFaces).RimFaces, v => v.Mesh.Group(v.IncidentFaces).OuterRimFaces,
+        ])
+        {
+            Vertex inSmall = small.Vertices[(10 * 21) + 10], inLarge = large.Vertices[(100 * 201) + 100];
+            query(inSmall);
+            Assert.Equal(Allocated(() => query(inSmall)), Allocated(() => query(inLarge)));
+        }
+
+        static long Allocated(Func<object> query)
+        {
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            query();
+            return GC.GetAllocatedBytesForCurrentThread() - before;
+        }
+    }
+
     [Fact]
     public void Group_ForeignDeletedOrNoElement_ThrowsWithItsName()
     {
