@@ -12,11 +12,11 @@ public static class Section_5_6
 {
     public static void Run(Mesh mesh, DemoOutput output)
     {
-        if (mesh.IsClosed)
+        if (mesh.IsClosed && mesh.Faces.Count > 0)
         {
             output.Line($"The model is closed: two patches are taken out.");
-            mesh.Detach(mesh.Group(mesh.Vertices.MaxBy(v => v.Position.Z).Disk(4)).Faces);
-            mesh.Detach(mesh.Group(mesh.Vertices.Where(v => !v.IsIsolated).MinBy(v => v.Position.Y).Disk(5)).Faces);
+            TakeOut(mesh.Vertices.Where(v => !v.IsIsolated).MaxBy(v => v.Position.Z), 4);
+            TakeOut(mesh.Vertices.Where(v => !v.IsIsolated).MinBy(v => v.Position.Y), 5);
             mesh.Compact();
         }
         IReadOnlyList<BoundaryLoop> loops = mesh.FindBoundaryLoops();
@@ -28,5 +28,8 @@ public static class Section_5_6
         {
             Polylines = [.. loops.Select((loop, i) => new Polyline([.. loop.Vertices.Select(v => v.Position)], Palette.Categorical(i), 5) { Closed = true, HiddenOpacity = 0.3 })],
         });
+
+        // Of a small model only one face, so that something is left.
+        void TakeOut(Vertex middle, int rings) => mesh.Detach(mesh.Faces.Count < 500 ? [middle.IncidentFaces[0]] : mesh.Group(middle.Disk(rings)).Faces);
     }
 }

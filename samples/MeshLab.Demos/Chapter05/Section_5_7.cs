@@ -16,7 +16,7 @@ public static class Section_5_7
         output.Table("regions between edges that bend by more", ["degrees", "selected edges", "regions", "largest"], new[] { 20, 30, 40, 60 }.Select(limit =>
         {
             FaceRegions cut = mesh.FindRegions([.. angles.Select(angle => angle > limit)]);
-            return new object[] { limit, angles.Count(angle => angle > limit), cut.Count, cut.Sizes.Max() };
+            return new object[] { limit, angles.Count(angle => angle > limit), cut.Count, cut.Sizes.DefaultIfEmpty().Max() };
         }));
 
         // The same by the textbook's flag on the edges.

@@ -20,9 +20,9 @@ public static class Section_10_5
             ("inner edges", inner.Length),
             ("convex", inner.Count(a => a > 0)),
             ("concave", inner.Count(a => a < 0)),
-            ("sharpest convex", inner.Max()),
-            ("sharpest concave", inner.Min()),
-            ("mean, unsigned", inner.Average(Math.Abs)),
+            ("sharpest convex", inner.DefaultIfEmpty(double.NaN).Max()),
+            ("sharpest concave", inner.DefaultIfEmpty(double.NaN).Min()),
+            ("mean, unsigned", inner.Select(Math.Abs).DefaultIfEmpty(double.NaN).Average()),
             ($"above {Sharp}", inner.Count(a => Math.Abs(a) > Sharp)));
         output.Svg("dihedral angles", SvgChart.Histogram("dihedral angles, convex positive", inner, 40, "degrees").ToSvg());
 
