@@ -14,7 +14,7 @@ namespace MeshLab.Tests.Structure;
 public class LocalOperationProperties(ITestOutputHelper output)
 {
     private const int Operations = 10_000;
-    private const int Session = 250;
+    private const int StepsPerRun = 250;
 
     /// <summary>What one random step does, and where.</summary>
     public readonly record struct Step(int Kind, int First, int Second, int Third);
@@ -42,8 +42,8 @@ public class LocalOperationProperties(ITestOutputHelper output)
             from second in Gen.Choose(0, 1 << 20)
             from third in Gen.Choose(0, 1 << 20)
             select new Step(kind, first, second, third);
-        Gen<Step[]> steps = Gen.ArrayOf(step, Session);
-        Config config = Config.QuickThrowOnFailure.WithMaxTest(Operations / Session).WithReplay(seed, 1UL).WithStartSize(1).WithEndSize(1);
+        Gen<Step[]> steps = Gen.ArrayOf(step, StepsPerRun);
+        Config config = Config.QuickThrowOnFailure.WithMaxTest(Operations / StepsPerRun).WithReplay(seed, 1UL).WithStartSize(1).WithEndSize(1);
 
         Check.One(config, Prop.ForAll(Arb.From(steps, Shrink), sequence => Run(name, sequence)));
     }
