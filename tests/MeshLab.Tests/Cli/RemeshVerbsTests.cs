@@ -52,6 +52,24 @@ public sealed class RemeshVerbsTests : IDisposable
         Assert.InRange(result.GetProperty("angle").GetProperty("mean").GetDouble(), 0.5, Math.PI / 3);
     }
 
+    [Theory]
+    [InlineData("remesh", "passes-done")]
+    [InlineData("remesh", "passes-done", "--laboratory")]
+    [InlineData("five-six-seven", "reached")]
+    [InlineData("five-six-seven", "reached", "--textbook")]
+    [InlineData("subdivide", null, "--steps", "2")]
+    public void Trace_IsWrittenAndTheStopReasonSaid(string verb, string? stopReason, params string[] options)
+    {
+        string trace = Path.Combine(folder, "steps.ndjson");
+        JsonElement result = Run(0, [verb, Save(Models.Create("bumpy-sphere"), "in.obj"), Path.Combine(folder, "out.obj"), "--trace", trace, .. options]);
+        if (stopReason is not null)
+            Assert.Equal(stopReason, result.GetProperty("stopReason").GetString());
+        string[] lines = File.ReadAllLines(trace);
+        Assert.True(lines.Length >= 2);
+        for (int i = 0; i < lines.Length; i++)
+            Assert.Equal(i, JsonDocument.Parse(lines[i]).RootElement.GetProperty("step").GetInt32());
+    }
+
     [Fact]
     public void Remesh_WrongUsage_HasStatus2() =>
         Run(2, "remesh", Save(Models.Create("torus"), "in.obj"), Path.Combine(folder, "out.obj"), "--relative", "-1");

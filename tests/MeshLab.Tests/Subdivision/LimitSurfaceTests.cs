@@ -183,8 +183,9 @@ public class EigenanalysisTests
         int size = scheme == SubdivisionScheme.CatmullClark ? 1 + n * 6 : 1 + n * (1 + 2 + 3);
         double[,] matrix = Matrix(mesh, size, scheme, options);
 
-        System.Numerics.Complex[] values = [.. MathNet.Numerics.LinearAlgebra.Matrix<double>.Build.DenseOfArray(matrix).Evd().EigenValues
-            .OrderByDescending(value => value.Magnitude)];
+        var decomposition = MathNet.Numerics.LinearAlgebra.Matrix<double>.Build.DenseOfArray(matrix).Evd();
+        int[] byMagnitude = [.. Enumerable.Range(0, size).OrderByDescending(i => decomposition.EigenValues[i].Magnitude)];
+        System.Numerics.Complex[] values = [.. byMagnitude.Select(i => decomposition.EigenValues[i])];
 
         Assert.Equal(1, values[0].Real, 1e-9);
         Assert.Equal(values[1].Magnitude, values[2].Magnitude, 1e-8);
@@ -193,6 +194,28 @@ public class EigenanalysisTests
             Assert.Equal(0, values[1].Imaginary, 1e-8);
         Assert.True(values[1].Magnitude is > 0.1 and < 1);
         Assert.True(values[3].Magnitude < values[1].Magnitude - 1e-6, $"{values[1]} {values[3]}");
+        // The columns of a complex pair are its real and its imaginary part.
+        AssertNoFolds(mesh, Order(mesh, size), decomposition.EigenVectors.Column(byMagnitude[1]), decomposition.EigenVectors.Column(byMagnitude[2]));
+    }
+
+    /// <summary>The characteristic map: the mesh with the two eigenvectors as coordinates. All its faces turn the same way.</summary>
+    private static void AssertNoFolds(Mesh mesh, int[] order, IList<double> x, IList<double> y)
+    {
+        var place = new Dictionary<int, Vector3D>();
+        for (int i = 0; i < order.Length; i++)
+            place[order[i]] = new(x[i], y[i], 0);
+        double[] areas = [.. mesh.Faces.Where(f => f.Vertices.All(v => place.ContainsKey(v.Index))).Select(SignedArea)];
+        Assert.NotEmpty(areas);
+        Assert.True(areas.All(area => area > 0) || areas.All(area => area < 0), string.Join(' ', areas));
+
+        double SignedArea(Face f)
+        {
+            Vector3D[] p = [.. f.Vertices.Select(v => place[v.Index])];
+            double sum = 0;
+            for (int i = 0; i < p.Length; i++)
+                sum += Vector3D.Cross(p[i], p[(i + 1) % p.Length]).Z;
+            return sum;
+        }
     }
 
     /// <summary>Row i: what the old points give to the new point at the place of old point i. Old points are moved one by one.</summary>

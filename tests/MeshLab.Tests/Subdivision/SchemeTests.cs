@@ -59,6 +59,38 @@ public class SchemeTests
         }
     }
 
+    public static TheoryData<SubdivisionScheme, double, double> SizesAndPlaces
+    {
+        get
+        {
+            var cases = new TheoryData<SubdivisionScheme, double, double>();
+            foreach (SubdivisionScheme scheme in Enum.GetValues<SubdivisionScheme>())
+            {
+                cases.Add(scheme, 1e-6, 0);
+                cases.Add(scheme, 1e6, 0);
+                cases.Add(scheme, 1, 1e6);
+            }
+            return cases;
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(SizesAndPlaces))]
+    public void Subdivide_OtherSizeOrPlace_HasTheSameConnectivityAndShape(SubdivisionScheme scheme, double scale, double offset)
+    {
+        Mesh mesh = Models.Create("bumpy-sphere"), other = mesh.Clone();
+        var shift = new Vector3D(offset, -offset, offset);
+        foreach (ref Vector3D p in other.Positions)
+            p = p * scale + shift;
+        var twice = new SubdivisionOptions { Steps = 2 };
+        Mesh first = mesh.Subdivide(scheme, twice), second = other.Subdivide(scheme, twice);
+        Assert.Equal(first.Next.ToArray(), second.Next.ToArray());
+        Assert.Equal(first.Target.ToArray(), second.Target.ToArray());
+        double tolerance = 1e-14 * (scale + 10 * offset) * 10;
+        for (int v = 0; v < first.VertexSlots; v++)
+            Assert.True(Vector3D.Distance(first.Positions[v] * scale + shift, second.Positions[v]) <= tolerance, $"v{v}");
+    }
+
     [Theory]
     [InlineData(SubdivisionScheme.Loop)]
     [InlineData(SubdivisionScheme.ModifiedButterfly)]
