@@ -32,7 +32,7 @@ internal sealed class SimplifyVerb : Verb
     private readonly Option<double> featureAngle = new("--feature-angle") { Description = "For qem: keep edges that bend by more than so many degrees." };
     private readonly Option<bool> keepTopology = new("--keep-topology") { Description = "For clustering: only contract legal edges within a cell." };
     private readonly Option<bool> quadric = new("--quadric-optimum") { Description = "For clustering: the quadric's optimum in place of the mean." };
-    private readonly Option<string> trace = new("--trace") { Description = "For qem: write every contraction to a file, a line of JSON each." };
+    private readonly Option<string> trace = new("--trace") { Description = "Write every step to a file, a line of JSON each: contractions, or cells." };
     private readonly Option<string> record = new("--record") { Description = "For qem: write the progressive mesh to a file (.pm)." };
 
     public override string Name => "simplify";
@@ -56,16 +56,17 @@ internal sealed class SimplifyVerb : Verb
         string way = context.Get(method);
         CheckOptions(context, way);
         Mesh mesh = context.ReadMesh(context.Get(input));
+        using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
         switch (way)
         {
             case "clustering":
-                mesh = Cluster(context, mesh);
+                mesh = Cluster(context, mesh, lines);
                 break;
             case "qem" or "qem-accurate" or "qem-textbook":
-                Report(context, Contract(context, mesh, way));
+                Report(context, Contract(context, mesh, way, lines));
                 break;
             default:
-                DeletionOptions deletion = Deletion(context, mesh, way);
+                DeletionOptions deletion = Deletion(context, mesh, way, lines);
                 Report(context, context.Time(() => mesh.DeleteElements(deletion, context.Progress("simplifying"), context.CancellationToken)));
                 break;
         }
@@ -91,7 +92,7 @@ internal sealed class SimplifyVerb : Verb
             throw new UsageException($"--cells {context.Get(cells)}: not positive");
         if (context.Has(featureAngle) && !(context.Get(featureAngle) > 0 && context.Get(featureAngle) <= 180))
             throw new UsageException($"--feature-angle {context.Get(featureAngle)}: not in (0, 180]");
-        foreach (Option option in (Option[])[maxError, featureAngle, trace, record])
+        foreach (Option option in (Option[])[maxError, featureAngle, record])
         {
             if (!isQem && context.Has(option))
                 throw new UsageException($"{option.Name} goes with the qem methods, not {way}");
@@ -100,9 +101,8 @@ internal sealed class SimplifyVerb : Verb
             throw new UsageException("--record goes with --method qem or qem-accurate");
     }
 
-    private SimplificationResult Contract(VerbContext context, Mesh mesh, string way)
+    private SimplificationResult Contract(VerbContext context, Mesh mesh, string way, TextWriter? lines)
     {
-        using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
         var options = new QuadricOptions
         {
             Mode = way switch { "qem-accurate" => QuadricMode.Accurate, "qem-textbook" => QuadricMode.Textbook, _ => QuadricMode.Fast },
@@ -120,7 +120,7 @@ internal sealed class SimplifyVerb : Verb
         return context.Time(() => mesh.Simplify(options, context.Progress("simplifying"), context.CancellationToken));
     }
 
-    private DeletionOptions Deletion(VerbContext context, Mesh mesh, string way)
+    private DeletionOptions Deletion(VerbContext context, Mesh mesh, string way, TextWriter? lines)
     {
         CheckCount(context, mesh);
         return new DeletionOptions
@@ -134,10 +134,11 @@ internal sealed class SimplifyVerb : Verb
             TargetFaces = context.Has(faces) ? context.Get(faces) : Math.Max(1, (int)(mesh.Faces.Count * context.Get(ratio))),
             AllowFlips = context.Get(allowFlips),
             LockBoundary = context.Get(boundary) == "locked",
+            Trace = lines,
         };
     }
 
-    private Mesh Cluster(VerbContext context, Mesh mesh)
+    private Mesh Cluster(VerbContext context, Mesh mesh, TextWriter? lines)
     {
         var options = new ClusteringOptions
         {
@@ -145,6 +146,7 @@ internal sealed class SimplifyVerb : Verb
             Cells = context.Has(cells) ? context.Get(cells) : null,
             Representative = context.Get(quadric) ? CellRepresentative.QuadricOptimum : CellRepresentative.Mean,
             NonManifold = context.NonManifold == NonManifoldPolicy.Throw ? NonManifoldPolicy.Skip : context.NonManifold,
+            Trace = lines,
         };
         if (context.Get(keepTopology))
         {

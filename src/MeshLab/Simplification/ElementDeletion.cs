@@ -40,6 +40,9 @@ public sealed record DeletionOptions
 
     /// <summary>Whether boundary vertices neither move nor vanish.</summary>
     public bool LockBoundary { get; init; }
+
+    /// <summary>Takes one line of JSON per contraction (step, edge, vertices, measure as cost, position, running hash); <see langword="null"/> for no trace.</summary>
+    public TextWriter? Trace { get; init; }
 }
 
 /// <summary>§7.3 元素删除 (element deletion): removes the smallest edge, triangle or curvature, again and again.</summary>
@@ -78,7 +81,9 @@ public static class ElementDeletion
             _ => mesh.VertexSlots,
         });
 
+        private readonly TraceLog? trace = TraceLog.For(options.Trace);
         private int collapses;
+        private double measure;
 
         public SimplificationResult Run(IProgress<double>? progress, CancellationToken cancellationToken)
         {
@@ -96,7 +101,7 @@ public static class ElementDeletion
                     refused = 0;
                     MeasureAll();
                 }
-                double measure = queue.KeyOf(queue.Top);
+                measure = queue.KeyOf(queue.Top);
                 if (!TryDelete(queue.Pop()))
                 {
                     refused++;
@@ -187,6 +192,7 @@ public static class ElementDeletion
                 return false;
             Vertex kept = h.Target;
             Forget(h);
+            trace?.Write(h.Edge.Index, kept.Index, h.Source.Index, measure, position);
             h.Collapse(position);
             collapses++;
             MeasureAround(kept);

@@ -3,7 +3,7 @@ using MeshLab.Numerics;
 
 namespace MeshLab.Simplification;
 
-/// <summary>Writes one line of JSON per contraction: NDJSON.</summary>
+/// <summary>Writes one line of JSON per step: NDJSON.</summary>
 internal sealed class TraceLog : CollapseLog
 {
     private readonly TextWriter writer;
@@ -17,7 +17,7 @@ internal sealed class TraceLog : CollapseLog
     public override void BeforeCollapse(WorkingMesh mesh, int h, Vector3D position, Merges merges) =>
         Write(h >> 1, mesh.Rows[h].Target, mesh.Rows[h ^ 1].Target, mesh.Keys[h >> 1] * mesh.Scale * mesh.Scale, mesh.Restored(position));
 
-    /// <summary>Writes a line.</summary>
+    /// <summary>Writes the line of a contraction.</summary>
     /// <param name="edge">The contracted edge.</param>
     /// <param name="kept">The vertex that stays.</param>
     /// <param name="removed">The vertex that goes.</param>
@@ -27,12 +27,28 @@ internal sealed class TraceLog : CollapseLog
     {
         Mix((ulong)(uint)edge);
         Mix((ulong)(uint)kept << 32 | (uint)removed);
+        WriteLine(string.Create(
+            CultureInfo.InvariantCulture, $"\"operation\":\"collapse\",\"edge\":{edge},\"kept\":{kept},\"removed\":{removed},\"cost\":{cost:R}"), position);
+    }
+
+    /// <summary>Writes the line of a cell whose vertices become one.</summary>
+    /// <param name="cell">The number of the cell.</param>
+    /// <param name="vertices">How many vertices lie in it.</param>
+    /// <param name="position">Where their vertex lies.</param>
+    public void WriteCell(int cell, int vertices, Vector3D position)
+    {
+        Mix((ulong)(uint)cell << 32 | (uint)vertices);
+        WriteLine(string.Create(CultureInfo.InvariantCulture, $"\"operation\":\"cluster\",\"cell\":{cell},\"vertices\":{vertices}"), position);
+    }
+
+    private void WriteLine(string what, Vector3D position)
+    {
         Mix(BitConverter.DoubleToUInt64Bits(position.X));
         Mix(BitConverter.DoubleToUInt64Bits(position.Y));
         Mix(BitConverter.DoubleToUInt64Bits(position.Z));
         writer.Write(string.Create(
             CultureInfo.InvariantCulture,
-            $"{{\"step\":{step},\"operation\":\"collapse\",\"edge\":{edge},\"kept\":{kept},\"removed\":{removed},\"cost\":{cost:R},\"position\":[{position.X:R},{position.Y:R},{position.Z:R}],\"hash\":\"{hash:x16}\"}}\n"));
+            $"{{\"step\":{step},{what},\"position\":[{position.X:R},{position.Y:R},{position.Z:R}],\"hash\":\"{hash:x16}\"}}\n"));
         step++;
     }
 

@@ -46,6 +46,9 @@ public sealed record ClusteringOptions
 
     /// <summary>What happens to faces that are no manifold together.</summary>
     public NonManifoldPolicy NonManifold { get; init; } = NonManifoldPolicy.Skip;
+
+    /// <summary>Takes one line of JSON per cell, in <c>CollapseCells</c> per contraction with the edge's length as cost; <see langword="null"/> for no trace.</summary>
+    public TextWriter? Trace { get; init; }
 }
 
 /// <summary>What clustering made.</summary>
@@ -58,7 +61,7 @@ public sealed record ClusteringResult(Mesh Mesh, int Cells, int CollapsedFaces, 
 
 /// <summary>§7.1 顶点聚类 (vertex clustering): all vertices in one cell of a grid become one.</summary>
 /// <remarks>
-/// Rossignac and Borrel 1993. The grid begins at the lowest corner of the bounding box; only cells with vertices are kept, in a hash table, so memory is O(n)
+/// Rossignac and Borrel 1993. The grid begins at the lowest corner of the bounding box; only cells with vertices are kept, so memory is O(n)
 /// whatever the size of the cells. Topology may change: the faces go through the builder's policy. The book's program instead contracts legal edges within a
 /// cell: <c>CollapseCells</c>, which keeps the topology. Traits are not carried by the first form. O(n).
 /// </remarks>
@@ -96,6 +99,7 @@ public static class VertexClustering
             });
             if (optimum)
                 MoveToOptimum(grid, parts, positions);
+            WriteCells(TraceLog.For(options.Trace), cellOf, positions);
             Report(0.6);
 
             // 3. A mesh of the faces that are left.
@@ -123,6 +127,7 @@ public static class VertexClustering
             SimplificationInput.CheckTriangles(mesh);
             int[] cellOf = CellGrid.For(mesh, options).NumberCells(mesh, out _);
             int before = mesh.Faces.Count, collapses = 0, refused, done;
+            TraceLog? trace = TraceLog.For(options.Trace);
             var members = new int[mesh.VertexSlots];
             Array.Fill(members, 1);
             do
@@ -131,6 +136,8 @@ public static class VertexClustering
                 for (int e = 0; e < mesh.EdgeSlots; e++)
                 {
                     cancellationToken.ThrowIfCancellationRequested();
+                    if (e % 4096 == 0)
+                        progress?.Report((double)e / mesh.EdgeSlots);
                     if (mesh.IsDeletedEdge(e))
                         continue;
                     HalfEdge h = new Edge(mesh, e).HalfEdge0;
@@ -138,20 +145,22 @@ public static class VertexClustering
                     if (cellOf[u] != cellOf[v])
                         continue;
                     Vector3D mean = Vector3D.Lerp(h.Source.Position, h.Target.Position, (double)members[v] / (members[u] + members[v]));
+                    double length = Vector3D.Distance(h.Source.Position, h.Target.Position);
                     if (!h.TryCollapse(mean, out _))
                     {
                         refused++;
                         continue;
                     }
+                    trace?.Write(e, v, u, length, mean);
                     members[v] += members[u];
                     done++;
                 }
                 collapses += done;
-                progress?.Report(0.5);
             }
             while (done > 0 && refused > 0);
             if (mesh.Listener is null)
                 mesh.Compact();
+            progress?.Report(1);
             return new(StopReason.NothingCollapsible, before, mesh.Faces.Count, collapses, 0, new(refused, 0, 0, 0));
         }
     }
@@ -171,6 +180,20 @@ public static class VertexClustering
         for (int c = 0; c < cells; c++)
             sums[c] /= counts[c];
         return sums;
+    }
+
+    private static void WriteCells(TraceLog? trace, int[] cellOf, Vector3D[] positions)
+    {
+        if (trace is null)
+            return;
+        var counts = new int[positions.Length];
+        foreach (int cell in cellOf)
+        {
+            if (cell >= 0)
+                counts[cell]++;
+        }
+        for (int c = 0; c < positions.Length; c++)
+            trace.WriteCell(c, counts[c], positions[c]);
     }
 
     private static void MoveToOptimum(CellGrid grid, Part[] parts, Vector3D[] positions)

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using MeshLab.Numerics;
 using MeshLab.Simplification;
 using MeshLab.Structure;
@@ -82,6 +83,21 @@ public class ElementDeletionTests
         Assert.Equal(StopReason.NothingCollapsible, result.StopReason);
         Assert.True(result.Refusals.Total > 0);
         Assert.Equal(before, mesh.Vertices.Where(v => v.IsBoundary).Select(v => v.Position).ToHashSet());
+        Assert.Empty(mesh.Validate());
+    }
+
+    [Theory]
+    [MemberData(nameof(Measures))]
+    public void DeleteElements_Trace_IsOneLinePerContraction(DeletionMeasure measure)
+    {
+        Mesh mesh = Shapes.Torus(12, 8);
+        using var trace = new StringWriter();
+
+        SimplificationResult result = mesh.DeleteElements(new() { TargetFaces = 60, Measure = measure, Trace = trace });
+
+        string[] lines = trace.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.Equal(result.Collapses, lines.Length);
+        Assert.Equal(result.MaxError, lines.Max(line => JsonDocument.Parse(line).RootElement.GetProperty("cost").GetDouble()));
         Assert.Empty(mesh.Validate());
     }
 

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using MeshLab.Numerics;
 using MeshLab.Simplification;
 using MeshLab.Structure;
@@ -62,6 +63,68 @@ public class VertexClusteringTests
         Assert.Equal(loops, Shapes.BoundaryLoops(mesh));
         Assert.Equal(euler, Shapes.EulerCharacteristic(mesh));
         Assert.Equal(mesh.Faces.Count, result.FacesAfter);
+        Assert.Empty(mesh.Validate());
+    }
+
+    [Fact]
+    public void ClusterVertices_Trace_IsOneLinePerCell()
+    {
+        using StringWriter cells = new(), contractions = new();
+        Mesh mesh = Shapes.Torus(40, 20);
+
+        ClusteringResult result = mesh.ClusterVertices(new() { Cells = 3, Trace = cells });
+        SimplificationResult collapsed = mesh.CollapseCells(new() { Cells = 3, Trace = contractions });
+
+        JsonElement[] lines = [.. cells.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries).Select(line => JsonDocument.Parse(line).RootElement)];
+        Assert.Equal(result.Cells, lines.Length);
+        Assert.Equal(800, lines.Sum(line => line.GetProperty("vertices").GetInt32()));
+        Assert.Equal(collapsed.Collapses, contractions.ToString().Count(c => c == '\n'));
+        Assert.Empty(mesh.Validate());
+    }
+
+    [Fact]
+    public void ClusterVertices_AnyNumberOfThreads_GivesTheSameBits()
+    {
+        Mesh mesh = Shapes.Torus(160, 80);
+        var options = new ClusteringOptions { Cells = 4, Representative = CellRepresentative.QuadricOptimum };
+        ulong expected = mesh.ClusterVertices(options).Mesh.StateHash();
+        int threads = Parallelism.MaxThreads;
+        try
+        {
+            Parallelism.MaxThreads = 1;
+            Assert.Equal(expected, mesh.ClusterVertices(options).Mesh.StateHash());
+        }
+        finally
+        {
+            Parallelism.MaxThreads = threads;
+        }
+    }
+
+    [Fact]
+    public void ClusterVertices_FewVerticesInManyCells_CountsThemLikeInFew()
+    {
+        // So many cells that there is no table of all of them: every vertex stays alone.
+        Mesh mesh = Shapes.Torus(30, 20);
+
+        ClusteringResult result = mesh.ClusterVertices(new() { Cells = 2000 });
+
+        Assert.Equal(mesh.Vertices.Count, result.Cells);
+        Assert.Equal(mesh.Faces.Count, result.Mesh.Faces.Count);
+        Assert.Equal(mesh.Vertices.Select(v => v.Position), result.Mesh.Vertices.Select(v => v.Position));
+    }
+
+    [Fact]
+    public void ClusterVertices_Cancelled_LeavesTheMeshAsItWas()
+    {
+        Mesh mesh = Shapes.Torus(40, 20);
+        ulong before = mesh.StateHash();
+        using var source = new CancellationTokenSource();
+        source.Cancel();
+
+        Assert.ThrowsAny<OperationCanceledException>(() => mesh.ClusterVertices(new() { Cells = 3 }, null, source.Token));
+        Assert.ThrowsAny<OperationCanceledException>(() => mesh.CollapseCells(new() { Cells = 3 }, null, source.Token));
+
+        Assert.Equal(before, mesh.StateHash());
         Assert.Empty(mesh.Validate());
     }
 
