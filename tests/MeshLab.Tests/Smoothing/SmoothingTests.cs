@@ -192,6 +192,15 @@ public class SmoothingTests
     }
 
     [Fact]
+    public void SmoothByCotangents_Octahedron_GoesHalfWayToTheMiddle()
+    {
+        // Every vertex of the octahedron has its four neighbours around the centre.
+        Mesh mesh = Models.Create("octahedron");
+        mesh.SmoothByCotangents(new CotangentSmoothingOptions { Steps = 1 });
+        Assert.All(mesh.Vertices, v => Assert.Equal(0.5, v.Position.Length, 1e-15));
+    }
+
+    [Fact]
     public void SmoothUniformly_Octahedron_GoesHalfWayToTheMiddle()
     {
         // Every vertex of the octahedron has its four neighbours around the centre.
