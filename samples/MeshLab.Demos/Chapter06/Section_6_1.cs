@@ -7,7 +7,7 @@ using MeshLab.Visualization;
 
 namespace MeshLab.Demos.Chapter06;
 
-/// <summary>§6.1 补洞: makes a hole, and fills it in four ways.</summary>
+/// <summary>§6.1 补洞: makes a hole, and fills it in five ways.</summary>
 [Demo("6.1", "补洞", "Filling holes")]
 public static class Section_6_1
 {
@@ -25,8 +25,9 @@ public static class Section_6_1
         [
             ("fan", new() { Method = HoleFillingMethod.Fan }),
             ("smallest angle first", new() { Method = HoleFillingMethod.Ear }),
-            ("minimum weight", new()),
+            ("minimum weight", new() { Method = HoleFillingMethod.MinimumWeight }),
             ("refined and faired", new() { Refine = true, Fair = true }),
+            ("as the surface around tells", new()),
         ])
         {
             best = open.Clone();

@@ -7,14 +7,16 @@ namespace MeshLab.Cli.Verbs;
 
 internal sealed class FillHolesVerb : Verb
 {
-    private static readonly string[] Methods = ["fan", "centroid", "ear", "minimum-weight"];
+    private static readonly string[] Methods = ["fan", "centroid", "ear", "minimum-weight", "automatic"];
+    private static readonly string[] Weights = ["total-bend", "bend", "area"];
 
     private readonly Argument<string> input = InputArgument();
     private readonly Argument<string> output = OutputArgument();
-    private readonly Option<string> method = new("--method") { Description = $"How holes are triangulated: {string.Join(", ", Methods)}.", DefaultValueFactory = _ => "minimum-weight" };
-    private readonly Option<string> weight = new("--weight") { Description = "What minimum-weight makes small: bend (then area), area.", DefaultValueFactory = _ => "bend" };
+    private readonly Option<string> method = new("--method") { Description = $"How holes are triangulated: {string.Join(", ", Methods)}.", DefaultValueFactory = _ => "automatic" };
+    private readonly Option<string> weight = new("--weight") { Description = "What minimum-weight makes small: total-bend (over all edges), bend (the largest, then area), area.", DefaultValueFactory = _ => Weights[0] };
     private readonly Option<bool> refine = new("--refine") { Description = "Make the patch as dense as the surface around it." };
     private readonly Option<bool> fair = new("--fair") { Description = "Bend the patch to continue the surface around it; with --refine." };
+    private readonly Option<int> continuity = new("--continuity") { Description = "How --fair meets the surface: 0 position, 1 slope, 2 curvature.", DefaultValueFactory = _ => 1 };
     private readonly Option<int> maxEdges = new("--max-edges") { Description = "Leave loops with more edges open." };
     private readonly Option<int> maxVertices = new("--max-vertices") { Description = "The most vertices added in all." };
 
@@ -27,10 +29,10 @@ internal sealed class FillHolesVerb : Verb
     public override void Configure(Command command)
     {
         method.AcceptOnlyFromAmong(Methods);
-        weight.AcceptOnlyFromAmong("bend", "area");
+        weight.AcceptOnlyFromAmong(Weights);
         command.Arguments.Add(input);
         command.Arguments.Add(output);
-        foreach (Option option in (Option[])[method, weight, refine, fair, maxEdges, maxVertices])
+        foreach (Option option in (Option[])[method, weight, refine, fair, continuity, maxEdges, maxVertices])
             command.Options.Add(option);
     }
 
@@ -40,13 +42,16 @@ internal sealed class FillHolesVerb : Verb
             throw new UsageException("--max-edges must be 3 or more");
         if (context.Has(maxVertices) && context.Get(maxVertices) < 0)
             throw new UsageException("--max-vertices must not be negative");
+        if (context.Get(continuity) is < 0 or > 2)
+            throw new UsageException("--continuity must be 0, 1 or 2");
         Mesh mesh = context.ReadMesh(context.Get(input));
         var options = new HoleFillingOptions
         {
             Method = (HoleFillingMethod)Array.IndexOf(Methods, context.Get(method)),
-            Weight = context.Get(weight) == "area" ? HoleWeight.Area : HoleWeight.BendThenArea,
+            Weight = (HoleWeight)Array.IndexOf(Weights, context.Get(weight)),
             Refine = context.Get(refine),
             Fair = context.Get(fair),
+            Continuity = context.Get(continuity),
         };
         if (context.Has(maxEdges))
             options = options with { MaxEdges = context.Get(maxEdges) };
@@ -61,7 +66,8 @@ internal sealed class FillHolesVerb : Verb
             .Add("reason", loop.Filled ? null : Words(loop.Reason))
             .Add("facesAdded", loop.FacesAdded)
             .Add("verticesAdded", loop.VerticesAdded)
-            .Add("method", Methods[(int)loop.Method])));
+            .Add("method", Methods[(int)loop.Method])
+            .Add("continuity", loop.Continuity)));
     }
 
     private static string Words(HoleRefusal reason) => reason switch

@@ -22,7 +22,7 @@ public sealed record EdgeCutResult(Mesh Mesh, int[] SourceVertex, int[] SourceFa
 ///        ●                     ●
 /// </code>
 /// Boundary edges are cut already. An end of a cut path inside the mesh has one fan and stays one vertex; a single edge with two such ends
-/// cannot open, because its two sides would be two edges between the same two vertices. O(V + E). The mesh given is not changed.
+/// cannot open, because its two sides would be two edges between the same two vertices. Copies have the traits of what they were. O(V + E). The mesh given is not changed.
 /// </remarks>
 public static class EdgeCutting
 {
@@ -49,10 +49,12 @@ public static class EdgeCutting
         int[] cornerVertex = SplitFans(mesh, isCut, sources, copies);
         Vector3D[] positions = Positions(mesh, sources, copies, cornerVertex, isCut, opening);
         Mesh cut = MeshBuilder.FromPolygons(positions, [.. mesh.Faces.Select(f => f.HalfEdges.Select(h => cornerVertex[h.index]).ToArray())]);
+        int[] sourceVertex = [.. sources], sourceFace = [.. mesh.Faces.Select(f => f.index)];
+        PartTraits.Derive(mesh, cut, sourceVertex, sourceFace, null, null);
         return new(
             cut,
-            [.. sources],
-            [.. mesh.Faces.Select(f => f.index)],
+            sourceVertex,
+            sourceFace,
             Array.ConvertAll(copies, list => (IReadOnlyList<int>)(list ?? [])),
             [.. mesh.Edges.Where(e => isCut[e.index] && !e.IsBoundary && IsWhole(e, cornerVertex))]);
     }

@@ -9,7 +9,25 @@ namespace MeshLab.Cutting;
 /// <param name="Splits">The number of edges split.</param>
 /// <param name="Passes">How often the mesh was looked through.</param>
 /// <param name="Remaining">Triangles that still have a larger angle, the largest angle first: splitting stopped, or the edge could not be split.</param>
-public sealed record ObtuseSplitResult(int Splits, int Passes, IReadOnlyList<Face> Remaining);
+/// <param name="SourceFace">Per face slot the old face that it is, or is a piece of. Old vertices keep their indices; new ones follow.</param>
+public sealed record ObtuseSplitResult(int Splits, int Passes, IReadOnlyList<Face> Remaining, int[] SourceFace)
+{
+    /// <summary>Per old face slot its pieces, the one in the old place first; empty for deleted faces.</summary>
+    public IReadOnlyList<IReadOnlyList<int>> Pieces { get; } = PiecesOf(SourceFace);
+
+    private static List<int>[] PiecesOf(int[] sourceFace)
+    {
+        var pieces = new List<int>[sourceFace.Length == 0 ? 0 : sourceFace.Max() + 1];
+        for (int f = 0; f < pieces.Length; f++)
+            pieces[f] = [];
+        for (int f = 0; f < sourceFace.Length; f++)
+        {
+            if (sourceFace[f] >= 0)
+                pieces[sourceFace[f]].Add(f);
+        }
+        return pieces;
+    }
+}
 
 /// <summary>§6.6 分割钝角 (splitting obtuse triangles).</summary>
 /// <remarks>
@@ -38,6 +56,7 @@ public static class ObtuseSplit
                 throw new ArgumentOutOfRangeException(nameof(angle), angle, "The angle must be larger than π/2 and smaller than π.");
             ArgumentOutOfRangeException.ThrowIfNegative(maxPasses);
             int splits = 0, passes = 0;
+            List<int> source = [.. Enumerable.Range(0, mesh.FaceSlots).Select(f => mesh.IsDeletedFace(f) ? -1 : f)];
             List<Face> obtuse = Find(mesh, angle);
             while (obtuse.Count > 0 && passes < maxPasses)
             {
@@ -47,14 +66,32 @@ public static class ObtuseSplit
                 {
                     // An earlier split may have dealt with it, or made it another triangle.
                     HalfEdge opposite = LargestAngle(f, out double largest);
-                    if (largest > angle && opposite.Edge.TrySplit(Foot(opposite), out _, out _))
+                    Edge half = opposite.Edge;
+                    if (largest > angle && opposite.Edge.TrySplit(Foot(opposite), out Vertex foot, out _))
+                    {
                         splits++;
+                        NameSources(mesh, foot, half, source);
+                    }
                 }
                 obtuse = Find(mesh, angle);
                 if (splits == before)
                     break;
             }
-            return new(splits, passes, obtuse);
+            return new(splits, passes, obtuse, [.. source]);
+        }
+    }
+
+    /// <summary>The new faces at a foot: each is a piece of the face that it meets along the altitude, which kept its place.</summary>
+    private static void NameSources(Mesh mesh, Vertex foot, Edge half, List<int> source)
+    {
+        source.AddRange(Enumerable.Repeat(-1, mesh.FaceSlots - source.Count));
+        foreach (HalfEdge altitude in foot.OutgoingHalfEdges)
+        {
+            if (altitude.IsBoundary || altitude.Twin.IsBoundary || altitude.Edge == half)
+                continue;
+            int left = altitude.Face.Index, right = altitude.Twin.Face.Index;
+            if (source[left] < 0 != source[right] < 0)
+                source[Math.Max(left, right)] = source[Math.Min(left, right)];
         }
     }
 

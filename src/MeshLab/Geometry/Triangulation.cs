@@ -12,7 +12,7 @@ public sealed record TriangulationResult(Mesh Mesh, int[] FaceOf);
 /// <remarks>
 /// Each face by <see cref="PolygonTriangulation"/>: of all ears the one with the largest smallest angle goes first, so that convex polygons become good
 /// triangles too and the result does not depend on anything but the input. O(d²) mostly per face of degree d.
-/// Vertices keep their indices if none is deleted, their order otherwise.
+/// Vertices keep their indices if none is deleted, their order otherwise. Traits are carried over; diagonals have the default value.
 /// </remarks>
 public static class Triangulation
 {
@@ -34,6 +34,9 @@ public static class Triangulation
                 faceOf.Add(face.Index);
             f++;
         }
-        return new(MeshBuilder.FromTriangles(soup.Positions, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(corners)), [.. faceOf]);
+        Mesh triangles = MeshBuilder.FromTriangles(soup.Positions, System.Runtime.InteropServices.CollectionsMarshal.AsSpan(corners));
+        int[] sourceFace = [.. faceOf];
+        PartTraits.Derive(mesh, triangles, [.. mesh.Vertices.Select(v => v.Index)], sourceFace, null, null);
+        return new(triangles, sourceFace);
     }
 }

@@ -14,7 +14,7 @@ public static class HoleFiller
     extension(Mesh mesh)
     {
         /// <summary>Fills every hole of the mesh, by the lowest vertex of its loop.</summary>
-        /// <param name="options">How; the minimum-weight triangulation without refinement if not given.</param>
+        /// <param name="options">How; chosen for each hole if not given.</param>
         /// <param name="progress">Told the share of loops done.</param>
         /// <param name="cancellationToken">Stops between holes, or while a triangulation is sought: holes filled by then stay filled.</param>
         public HoleFillingResult FillHoles(HoleFillingOptions? options = null, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
@@ -38,7 +38,7 @@ public static class HoleFiller
 
         /// <summary>Fills one hole.</summary>
         /// <param name="boundary">A half-edge of its loop.</param>
-        /// <param name="options">How; the minimum-weight triangulation without refinement if not given.</param>
+        /// <param name="options">How; chosen for each hole if not given.</param>
         /// <param name="progress">Told how far the triangulation is.</param>
         /// <param name="cancellationToken">Stops while a triangulation is sought; the mesh is then as it was.</param>
         /// <exception cref="ArgumentException">The half-edge is none, deleted, of another mesh, or has a face; it is named.</exception>
@@ -71,32 +71,24 @@ public static class HoleFiller
         if (why != HoleRefusal.None)
             return new(loop.Vertices[0], loop.Count, false, why, method, 0, 0);
 
-        int firstVertex = mesh.VertexSlots, firstEdge = mesh.EdgeSlots, firstFace = mesh.FaceSlots;
-        Dictionary<int, double>? scales = options.Refine ? PatchRefinement.RimScales(loop) : null;
+        bool choose = options.Method == HoleFillingMethod.Automatic && !options.Refine && !options.Fair && method == HoleFillingMethod.MinimumWeight;
+        int continuity = choose ? FillingTrial.Choose(loop, cancellationToken) : options.Fair ? options.Continuity : FillingTrial.Flat;
+        bool refine = choose ? continuity != FillingTrial.Flat : options.Refine;
+        int firstFace = mesh.FaceSlots;
         using OperationScope operation = mesh.BeginOperation(OperationKind.AddFace, firstFace);
-        HolePatch.Insert(loop, triangles, method == HoleFillingMethod.Centroid ? [Mean(loop.Points)] : []);
-        if (scales is not null)
-        {
-            int left = budget - (mesh.VertexSlots - firstVertex);
-            for (int v = firstVertex; v < mesh.VertexSlots; v++)
-                scales[v] = scales.Values.Average();
-            new PatchRefinement(mesh, scales, firstFace, firstEdge).Run(left);
-        }
-        if (options.Fair)
-        {
-            // The weights of the first round are those of the flat patch; the second sees the bent one.
-            if (PatchFairing.Run(mesh, loop, firstVertex))
-                PatchFairing.Run(mesh, loop, firstVertex);
-        }
+        HolePatch patch = HolePatch.Insert(loop, triangles, method == HoleFillingMethod.Centroid ? [Mean(loop.Points)] : [], refine);
+        if (refine)
+            patch.Refine(budget - patch.NewVertices);
+        bool faired = continuity != FillingTrial.Flat && patch.Fair(continuity);
         operation.Complete();
-        return new(loop.Vertices[0], loop.Count, true, HoleRefusal.None, method, mesh.FaceSlots - firstFace, mesh.VertexSlots - firstVertex);
+        return new(loop.Vertices[0], loop.Count, true, HoleRefusal.None, method, mesh.FaceSlots - firstFace, patch.NewVertices, faired ? continuity : null);
     }
 
     private static HoleRefusal Triangulate(
         HoleLoop loop, HoleFillingOptions options, int budget, IProgress<double>? progress, CancellationToken cancellationToken, out List<int> triangles, out HoleFillingMethod method)
     {
         triangles = [];
-        method = options.Method;
+        method = options.Method == HoleFillingMethod.Automatic ? HoleFillingMethod.MinimumWeight : options.Method;
         if (loop.Count > options.MaxEdges)
             return HoleRefusal.TooManyEdges;
         if (method == HoleFillingMethod.MinimumWeight && loop.Count > options.MaxEdgesForMinimumWeight)
@@ -109,7 +101,7 @@ public static class HoleFiller
             _ => null,
         };
         // Where the loop's own chords do not suffice, a new vertex in the middle always does.
-        if (found is null && options.Method == HoleFillingMethod.MinimumWeight)
+        if (found is null && options.Method is HoleFillingMethod.MinimumWeight or HoleFillingMethod.Automatic)
             method = HoleFillingMethod.Centroid;
         if (method == HoleFillingMethod.Centroid)
         {

@@ -2,17 +2,17 @@ using MeshLab.Numerics;
 
 namespace MeshLab.HoleFilling;
 
-/// <summary>§6.1 (d) 最小权三角化: of all triangulations of a loop the one whose largest bend is smallest, and among these the one of smallest area; or the one of smallest area at once.</summary>
+/// <summary>§6.1 (d) 最小权三角化: of all triangulations of a loop the one with the smallest weight: total bend, largest bend and then area, or area.</summary>
 /// <remarks>
 /// <code>
 ///            m               W(i, j): the best triangulation of the loop's part i … j.
-///          ╱   ╲             W(i, j) = min over m of W(i, m) + W(m, j) + triangle(i, m, j), where "+" is the maximum of the bends
-///     W(i,m)  W(m,j)         and the sum of the areas. The bend is that between the new triangle and the triangle chosen under
+///          ╱   ╲             W(i, j) = min over m of W(i, m) + W(m, j) + triangle(i, m, j), where "+" is the sum, or the maximum of
+///     W(i,m)  W(m,j)         the bends and the sum of the areas. The bend is that between the new triangle and the triangle chosen under
 ///      ╱         ╲           (i, m) and (m, j), or the mesh's own face where that is an edge of the loop.
 ///     i ───────── j
 /// </code>
-/// Barequet, Sharir 1995; weights of Liepa 2003, §3. A bend is 1 − cos of the angle between normals, rounded to 10⁻⁷, so that on a plane the area decides and
-/// not the noise. Most m are dismissed by the bends of the two parts alone. The table is kept by rows and by columns, so that both parts are
+/// Barequet, Sharir 1995; weights of Liepa 2003, §3. The total bend is Σ length · 2 sin(angle / 2) over all edges, about the total mean curvature; the largest bend is 1 − cos of the angle between normals, rounded to 10⁻⁷, so that on a plane the area decides and
+/// not the noise. The total takes a crease once, however sharp, and prefers planes that go on and meet; the largest says nothing more where the rim has a sharp edge itself. Most m are dismissed by the bends of the two parts alone. The table is kept by rows and by columns, so that both parts are
 /// read in order; the cells of a diagonal do not depend on each other and are shared out to threads. O(n³) time, O(n²) memory.
 /// </remarks>
 internal static class MinimumWeightTriangulation
@@ -37,6 +37,7 @@ internal static class MinimumWeightTriangulation
         private readonly HoleLoop loop;
         private readonly int n;
         private readonly bool bendWeighs;
+        private readonly bool total;
         private readonly Vector3D[] points;
 
         // Bend and area of W(i, j) at i·n + j and, a second time, at j·n + i.
@@ -45,8 +46,12 @@ internal static class MinimumWeightTriangulation
         private readonly int[] apex;
         private readonly Vector3D[] normal;
 
+        // Distances of the loop's vertices, both ways; for the total bend alone.
+        private readonly double[] length = [];
+
         public Table(HoleLoop loop, HoleWeight weight)
         {
+            total = weight == HoleWeight.TotalBend;
             bendWeighs = weight == HoleWeight.BendThenArea;
             this.loop = loop;
             n = loop.Count;
@@ -56,6 +61,15 @@ internal static class MinimumWeightTriangulation
             apex = new int[n * n];
             normal = new Vector3D[n * n];
             Array.Fill(apex, -1);
+            if (total)
+            {
+                length = new double[n * n];
+                for (int i = 0; i < n; i++)
+                {
+                    for (int j = 0; j < i; j++)
+                        length[i * n + j] = length[j * n + i] = Vector3D.Distance(points[i], points[j]);
+                }
+            }
             for (int i = 0; i + 1 < n; i++)
                 normal[i * n + i + 1] = loop.RimNormals[i];
         }
@@ -86,20 +100,32 @@ internal static class MinimumWeightTriangulation
             {
                 ReadOnlySpan<double> leftBend = bend.AsSpan(i * n, n), rightBend = bend.AsSpan(j * n, n);
                 ReadOnlySpan<double> leftArea = area.AsSpan(i * n, n), rightArea = area.AsSpan(j * n, n);
+                ReadOnlySpan<double> leftLength = total ? length.AsSpan(i * n, n) : default, rightLength = total ? length.AsSpan(j * n, n) : default;
                 Vector3D a = points[i], ab = points[j] - a;
-                for (int m = i + 1; m < j; m++)
+                // The apex of the part that is one shorter is tried first: a good guess lets most others be dismissed.
+                int guess = Math.Max(apex[i * n + j - 1], i + 1);
+                for (int k = i; k < j; k++)
                 {
-                    double b = Math.Max(leftBend[m], rightBend[m]);
+                    int m = k == i ? guess : k;
+                    double b = total ? leftBend[m] + rightBend[m] : Math.Max(leftBend[m], rightBend[m]);
                     if (b > bestBend || double.IsPositiveInfinity(b))
                         continue;
                     double parts = leftArea[m] + rightArea[m];
                     if (b == bestBend && parts >= bestArea)
                         continue;
                     Vector3D cross = Vector3D.Cross(points[m] - a, ab);
-                    double length = cross.Length;
-                    double whole = parts + length / 2;
-                    Vector3D unit = length > 0 ? cross / length : default;
-                    if (bendWeighs)
+                    double size = cross.Length;
+                    double whole = parts + size / 2;
+                    Vector3D unit = size > 0 ? cross / size : default;
+                    if (total)
+                    {
+                        b += Turn(unit, normal[i * n + m]) * leftLength[m] + Turn(unit, normal[m * n + j]) * rightLength[m];
+                        if (b > bestBend)
+                            continue;
+                        if (isLast)
+                            b += Turn(unit, loop.RimNormals[n - 1]) * leftLength[j];
+                    }
+                    else if (bendWeighs)
                     {
                         b = Math.Max(b, Bend(unit, normal[i * n + m]));
                         b = Math.Max(b, Bend(unit, normal[m * n + j]));
@@ -115,6 +141,13 @@ internal static class MinimumWeightTriangulation
             area[at] = area[mirrored] = bestArea;
             apex[at] = best;
             normal[at] = bestNormal;
+        }
+
+        /// <summary>2 sin of half the angle between two unit normals: the angle itself where it is small; 0 for what is rounding.</summary>
+        private static double Turn(Vector3D a, Vector3D b)
+        {
+            double squared = Vector3D.DistanceSquared(a, b);
+            return squared > BendStep * BendStep ? Math.Sqrt(squared) : 0;
         }
 
         private static double Bend(Vector3D a, Vector3D b) => Math.Round((1 - Vector3D.Dot(a, b)) / BendStep) * BendStep;

@@ -7,12 +7,13 @@ namespace MeshLab.HoleFilling;
 /// <summary>§6.1 Refinement (细化): gives a patch triangles of the size of those around the hole (Liepa 2003, §4).</summary>
 /// <remarks>
 /// Every vertex has a scale: on the rim the mean length of its edges outside of the patch, inside the mean of the three corners it was born in. A triangle gets a vertex at its
-/// centroid if that is farther from each corner, times √2, than its scale and the corner's. After each pass edges are flipped until none lies
-/// within the other triangle's circle, so that triangles stay round.
+/// centroid if that is farther from each corner, times 2, than its scale and the corner's. After each pass edges are flipped until none lies
+/// within the other triangle's circle, so that triangles stay round; not before the first, as the triangulation's few edges hold the shape of the patch.
 /// </remarks>
 internal sealed class PatchRefinement
 {
-    private const double Density = 1.4142135623730951;
+    // Liepa has √2, which leaves a patch with half as many triangles as its surroundings; twice the squared density fills that up.
+    private const double Density = 2;
     private const int MaxPasses = 20;
     private const int MaxSweeps = 30;
 
@@ -57,7 +58,6 @@ internal sealed class PatchRefinement
     public int Run(int budget)
     {
         int added = 0;
-        Relax();
         for (int pass = 0; pass < MaxPasses; pass++)
         {
             int before = added, faces = mesh.FaceSlots;
@@ -92,7 +92,8 @@ internal sealed class PatchRefinement
         return true;
     }
 
-    private void Relax()
+    /// <summary>Flips edges of the patch until none lies within the other triangle's circle.</summary>
+    public void Relax()
     {
         for (int sweep = 0; sweep < MaxSweeps; sweep++)
         {

@@ -10,7 +10,7 @@ internal static class HoleOps
     private const int Rings = 4;
 
     [PeerOp("hole-fill")]
-    public static void Fill(PeerRun run) => Measure(run, new HoleFillingOptions());
+    public static void Fill(PeerRun run) => Measure(run, new HoleFillingOptions { Method = HoleFillingMethod.MinimumWeight });
 
     [PeerOp("hole-fill-fair")]
     public static void FillFair(PeerRun run) => Measure(run, new HoleFillingOptions { Refine = true, Fair = true });

