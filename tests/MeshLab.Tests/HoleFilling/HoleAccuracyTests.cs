@@ -4,6 +4,7 @@ using MeshLab.HoleFilling;
 using MeshLab.Numerics;
 using MeshLab.Spatial;
 using MeshLab.Structure;
+using MeshLab.Tests.Simplification;
 using MeshLab.Topology;
 using Xunit;
 using Xunit.Abstractions;
@@ -130,8 +131,8 @@ public class HoleAccuracyTests(ITestOutputHelper output)
             total += Vector3D.Cross(positions[corners[3 * f + 1]] - a, positions[corners[3 * f + 2]] - a).Length / 2;
             upTo[f] = total;
         }
-        var random = new PermutedCongruential(12345);
-        double[] r = random.NextDoubles(Samples), u = random.NextDoubles(Samples), v = random.NextDoubles(Samples);
+        var random = new ReferenceDistance.NumpyRandom(12345);
+        double[] r = Draw(), u = Draw(), v = Draw();
         var points = new Vector3D[Samples];
         for (int i = 0; i < points.Length; i++)
         {
@@ -141,6 +142,8 @@ public class HoleAccuracyTests(ITestOutputHelper output)
             points[i] = positions[corners[3 * f]] * (1 - s) + positions[corners[3 * f + 1]] * (s * (1 - v[i])) + positions[corners[3 * f + 2]] * (s * v[i]);
         }
         return points;
+
+        double[] Draw() => [.. Enumerable.Range(0, Samples).Select(_ => random.NextDouble())];
     }
 
     private static bool[] Removed(Mesh mesh, string testCase)
