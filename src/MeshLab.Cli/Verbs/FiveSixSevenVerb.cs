@@ -42,7 +42,7 @@ internal sealed class FiveSixSevenVerb : Verb
             FeatureAngle = context.Get(featureAngle) * Math.PI / 180,
             Engine = context.Get(textbook) ? FiveSixSevenEngine.Textbook : FiveSixSevenEngine.Repair,
         };
-        FiveSixSevenResult result = context.Time(() => mesh.ToFiveSixSeven(options, context.Progress("5-6-7"), context.CancellationToken));
+        FiveSixSevenResult result = context.Time(() => Make(mesh, options, context));
         context.WriteMesh(result.Mesh, context.Get(output));
         MeshDistanceReport distance = MeshDistance.Measure(mesh, result.Mesh, new MeshDistanceOptions { Seed = context.Seed });
 
@@ -65,6 +65,19 @@ internal sealed class FiveSixSevenVerb : Verb
             "Inner valences",
             ["valence", "before", "after"],
             [.. result.Before.Keys.Union(result.After.Keys).Order().Select(v => new[] { Text(v), Text(result.Before.GetValueOrDefault(v)), Text(result.After.GetValueOrDefault(v)) })]);
+    }
+
+    private static FiveSixSevenResult Make(Mesh mesh, FiveSixSevenOptions options, VerbContext context)
+    {
+        try
+        {
+            return mesh.ToFiveSixSeven(options, context.Progress("5-6-7"), context.CancellationToken);
+        }
+        catch (ArgumentException e) when (e.ParamName == nameof(options))
+        {
+            // What is too few depends on the mesh: it is refused, not wrong usage.
+            throw new RefusedException(e.Message.Split(" (Parameter", 2)[0]);
+        }
     }
 
     private static int Count(FiveSixSevenResult result, int valence) => result.After.GetValueOrDefault(valence);

@@ -71,6 +71,13 @@ public sealed class RemeshVerbsTests : IDisposable
     }
 
     [Fact]
+    public void FiveSixSeven_FewerFacesThanPossible_IsRefusedWithStatus1() =>
+        Assert.Contains(
+            "at least 20 faces",
+            Run(1, "five-six-seven", Save(Models.Create("sphere"), "in.obj"), Path.Combine(folder, "out.obj"), "--faces", "18").GetProperty("error").GetProperty("message").GetString(),
+            StringComparison.Ordinal);
+
+    [Fact]
     public void Remesh_WrongUsage_HasStatus2() =>
         Run(2, "remesh", Save(Models.Create("torus"), "in.obj"), Path.Combine(folder, "out.obj"), "--relative", "-1");
 
