@@ -178,6 +178,7 @@ public class FiveSixSevenTests
         Assert.Equal(Loops(mesh), Loops(result));
         Assert.Equal(mesh.Positions[..12].ToArray(), result.Positions[..12].ToArray());
         Assert.All(result.Vertices.Take(12), v => Assert.Equal(5, v.Valence));
+        Assert.Equal(20, result.Faces.Count(f => f.Vertices.All(v => v.Index < 12)));
         if (wasRight)
             Assert.Equal(mesh.Faces.Count, result.Faces.Count);
     }

@@ -70,6 +70,9 @@ public class TraitTransferTests
             return;
         foreach (Edge e in mesh.Edges.Where(e => e.Vertex0.Position.X == 3 && e.Vertex1.Position.X == 3))
             Assert.Equal(3, source.Edges[mark[e]].Vertex0.Position.X);
+        // Parallel to the old edges, but between them: the default.
+        foreach (Edge e in mesh.Edges.Where(e => e.Vertex0.Position.X == e.Vertex1.Position.X && Math.Abs(e.Vertex0.Position.X % 1 - 0.5) < 0.3))
+            Assert.Equal(-1, mark[e]);
         Assert.Empty(mesh.Validate());
     }
 
