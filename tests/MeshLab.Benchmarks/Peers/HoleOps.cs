@@ -9,11 +9,17 @@ internal static class HoleOps
 {
     private const int Rings = 4;
 
+    // The same kind of filling as the other libraries': by the largest bend, then the area.
+    private static readonly HoleFillingOptions Liepa = new() { Method = HoleFillingMethod.MinimumWeight, Weight = HoleWeight.BendThenArea };
+
     [PeerOp("hole-fill")]
-    public static void Fill(PeerRun run) => Measure(run, new HoleFillingOptions { Method = HoleFillingMethod.MinimumWeight });
+    public static void Fill(PeerRun run) => Measure(run, Liepa);
+
+    [PeerOp("hole-fill-total-bend")]
+    public static void FillTotalBend(PeerRun run) => Measure(run, Liepa with { Weight = HoleWeight.TotalBend });
 
     [PeerOp("hole-fill-fair")]
-    public static void FillFair(PeerRun run) => Measure(run, new HoleFillingOptions { Refine = true, Fair = true });
+    public static void FillFair(PeerRun run) => Measure(run, Liepa with { Refine = true, Fair = true });
 
     private static void Measure(PeerRun run, HoleFillingOptions options)
     {
