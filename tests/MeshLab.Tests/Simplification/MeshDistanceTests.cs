@@ -56,6 +56,20 @@ public class MeshDistanceTests
     }
 
     [Fact]
+    public void Measure_Deterministic_TakesBarycentresForTheMeanAndCornersForTheLargest()
+    {
+        // A triangle with the barycentre (1, 1, 0), and a large one in the plane x = 0.
+        Mesh triangle = MeshBuilder.FromTriangles([new(0, 0, 0), new(3, 0, 0), new(0, 3, 0)], [0, 1, 2]);
+        Mesh wall = MeshBuilder.FromTriangles([new(0, -100, -100), new(0, 100, -100), new(0, 0, 100)], [0, 1, 2]);
+
+        DistanceStatistics forward = triangle.DistanceTo(wall, new() { Deterministic = true }).Forward;
+
+        Assert.Equal(1, forward.Mean, 1e-12);
+        Assert.Equal(1, forward.Rms, 1e-12);
+        Assert.Equal(3, forward.Max, 1e-12);
+    }
+
+    [Fact]
     public void Measure_OneSidedDifference_DependsOnTheDirection()
     {
         // A far away part counts from the mesh that has it only.
