@@ -53,48 +53,72 @@ internal static class Relabeling
     }
 
     /// <summary>Keeps the largest piece (by area) of every label and gives each other piece to the neighbour with which it has the longest border.</summary>
+    /// <remarks>
+    /// The smallest stray piece moves first. It joins a piece that then stays for the rest of the round, so every move leaves one piece less and the rounds end: if neighbours
+    /// moved at once, two stray pieces alone on a component would exchange their labels for ever. A piece that is a whole component has no neighbour and keeps its label.
+    /// </remarks>
     public static void JoinStrayPieces(Mesh mesh, int[] labels, double[] areas)
     {
         // A stray piece may have only other stray pieces as neighbours, so the rounds go on until nothing changes.
-        for (bool changed = true; changed;)
+        while (JoinOnce(mesh, labels, areas))
         {
-            changed = false;
-            int[] piece = Pieces(mesh, labels, out int count);
-            var area = new double[count];
-            var label = new int[count];
-            for (int f = 0; f < labels.Length; f++)
-            {
-                if (piece[f] < 0)
-                    continue;
-                area[piece[f]] += areas[f];
-                label[piece[f]] = labels[f];
-            }
-            var main = new Dictionary<int, int>();
-            for (int p = 0; p < count; p++)
-            {
-                if (!main.TryGetValue(label[p], out int best) || area[p] > area[best])
-                    main[label[p]] = p;
-            }
-            Dictionary<int, double>[] borders = Borders(mesh, labels, piece, count);
-            var target = new int[count];
-            for (int p = 0; p < count; p++)
-            {
-                target[p] = label[p];
-                if (main[label[p]] == p || borders[p].Count == 0)
-                    continue;
-                target[p] = borders[p].OrderByDescending(b => b.Value).ThenBy(b => b.Key).First().Key;
-                changed = true;
-            }
-            for (int f = 0; f < labels.Length; f++)
-            {
-                if (piece[f] >= 0)
-                    labels[f] = target[piece[f]];
-            }
         }
     }
 
-    /// <summary>Per piece the length of its border with every other label.</summary>
-    private static Dictionary<int, double>[] Borders(Mesh mesh, int[] labels, int[] piece, int count)
+    private static bool JoinOnce(Mesh mesh, int[] labels, double[] areas)
+    {
+        int[] piece = Pieces(mesh, labels, out int count);
+        var area = new double[count];
+        var label = new int[count];
+        for (int f = 0; f < labels.Length; f++)
+        {
+            if (piece[f] < 0)
+                continue;
+            area[piece[f]] += areas[f];
+            label[piece[f]] = labels[f];
+        }
+        Dictionary<int, double>[] borders = Borders(mesh, piece, count);
+        bool[] stays = MainPieces(area, label), moved = new bool[count];
+        int[] order = [.. Enumerable.Range(0, count).Where(p => !stays[p]).OrderBy(p => area[p]).ThenBy(p => p)];
+        var target = (int[])label.Clone();
+        foreach (int p in order)
+        {
+            if (stays[p] || borders[p].Count == 0)
+                continue;
+            int best = borders[p].GroupBy(b => label[b.Key], b => b.Value).Select(g => (Label: g.Key, Length: g.Sum())).OrderByDescending(b => b.Length).ThenBy(b => b.Label).First().Label;
+            int[] hosts = [.. borders[p].Keys.Where(q => label[q] == best && !moved[q])];
+            if (hosts.Length == 0)
+                continue;
+            foreach (int q in hosts)
+                stays[q] = true;
+            moved[p] = true;
+            target[p] = best;
+        }
+        for (int f = 0; f < labels.Length; f++)
+        {
+            if (piece[f] >= 0)
+                labels[f] = target[piece[f]];
+        }
+        return Array.IndexOf(moved, true) >= 0;
+    }
+
+    /// <summary>Per piece whether it is the largest of its label; of equal ones, the first.</summary>
+    private static bool[] MainPieces(double[] area, int[] label)
+    {
+        var main = new Dictionary<int, int>();
+        for (int p = 0; p < area.Length; p++)
+        {
+            if (!main.TryGetValue(label[p], out int best) || area[p] > area[best])
+                main[label[p]] = p;
+        }
+        var isMain = new bool[area.Length];
+        foreach (int p in main.Values)
+            isMain[p] = true;
+        return isMain;
+    }
+
+    /// <summary>Per piece the pieces next to it, with the length of the common border.</summary>
+    private static Dictionary<int, double>[] Borders(Mesh mesh, int[] piece, int count)
     {
         var borders = new Dictionary<int, double>[count];
         for (int p = 0; p < count; p++)
@@ -103,12 +127,12 @@ internal static class Relabeling
         {
             if (e.IsBoundary)
                 continue;
-            int f = e.Face0.Index, g = e.Face1.Index;
-            if (labels[f] == labels[g])
+            int p = piece[e.Face0.Index], q = piece[e.Face1.Index];
+            if (p == q || p < 0 || q < 0)
                 continue;
             double length = e.Length;
-            borders[piece[f]][labels[g]] = borders[piece[f]].GetValueOrDefault(labels[g]) + length;
-            borders[piece[g]][labels[f]] = borders[piece[g]].GetValueOrDefault(labels[f]) + length;
+            borders[p][q] = borders[p].GetValueOrDefault(q) + length;
+            borders[q][p] = borders[q].GetValueOrDefault(p) + length;
         }
         return borders;
     }

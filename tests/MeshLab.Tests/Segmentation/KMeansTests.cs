@@ -76,6 +76,21 @@ public class KMeansTests
     }
 
     [Fact]
+    public void JoinStrayPieces_TwoOfThemAloneOnAComponent_JoinAndEnd()
+    {
+        Mesh mesh = Models.Create("tetrahedron");
+        Mesh smaller = mesh.Clone();
+        foreach (Vertex v in smaller.Vertices)
+            v.Position = v.Position * 0.5 + new Vector3D(100, 0, 0);
+        mesh.Append(smaller);
+        int[] labels = [0, 0, 1, 1, 0, 0, 1, 1];
+
+        Relabeling.JoinStrayPieces(mesh, labels, [.. mesh.Faces.Select(f => f.Index < 4 ? 1.0 : 0.25)]);
+
+        Assert.Equal([0, 0, 1, 1, 1, 1, 1, 1], labels);
+    }
+
+    [Fact]
     public void Segment_BadInput_IsRefused()
     {
         Mesh mesh = Models.Create("tetrahedron");
