@@ -100,20 +100,9 @@ public static class LoopSubdivision
                     placed[v] = 0.75 * old[v] + 0.125 * (old[target[start]] + old[target[previous[start] ^ 1]]);
                     continue;
                 }
-                double x = 0, y = 0, z = 0;
-                int valence = 0, h = start;
-                do
-                {
-                    Vector3D* neighbor = old + target[h];
-                    x += neighbor->X;
-                    y += neighbor->Y;
-                    z += neighbor->Z;
-                    valence++;
-                    h = next[h ^ 1];
-                }
-                while (h != start);
+                Vector3D ring = RingSum.Around(next, target, old, start, out int valence);
                 double beta = valence < TabulatedValences ? table[valence] : NeighborWeight(valence, weights);
-                placed[v] = (1 - valence * beta) * old[v] + beta * new Vector3D(x, y, z);
+                placed[v] = (1 - valence * beta) * old[v] + beta * ring;
             }
         }
     }

@@ -63,20 +63,9 @@ public static class Sqrt3Subdivision
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static unsafe Vector3D Relaxed(int* next, int* target, Vector3D* old, int v, int start)
     {
-        double x = 0, y = 0, z = 0;
-        int valence = 0, h = start;
-        do
-        {
-            Vector3D* neighbor = old + target[h];
-            x += neighbor->X;
-            y += neighbor->Y;
-            z += neighbor->Z;
-            valence++;
-            h = next[h ^ 1];
-        }
-        while (h != start);
+        Vector3D ring = RingSum.Around(next, target, old, start, out int valence);
         double alpha = valence < TabulatedValences ? Table[valence] : NeighborWeight(valence);
-        return (1 - alpha) * old[v] + alpha / valence * new Vector3D(x, y, z);
+        return (1 - alpha) * old[v] + alpha / valence * ring;
     }
 
     private static Mesh Step(Mesh mesh, CancellationToken cancellationToken)

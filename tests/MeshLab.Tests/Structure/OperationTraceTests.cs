@@ -4,6 +4,7 @@ using MeshLab.FiveSixSeven;
 using MeshLab.Remeshing;
 using MeshLab.Structure;
 using MeshLab.Subdivision;
+using MeshLab.Tests.Subdivision;
 using Xunit;
 
 namespace MeshLab.Tests.Structure;
@@ -93,12 +94,7 @@ public class OperationTraceTests
 
     [Theory]
     [Trait("Section", "8")]
-    [InlineData(SubdivisionScheme.Loop)]
-    [InlineData(SubdivisionScheme.ModifiedButterfly)]
-    [InlineData(SubdivisionScheme.Sqrt3)]
-    [InlineData(SubdivisionScheme.CatmullClark)]
-    [InlineData(SubdivisionScheme.DooSabin)]
-    [InlineData(SubdivisionScheme.Midpoint)]
+    [MemberData(nameof(SchemeTests.Schemes), MemberType = typeof(SchemeTests))]
     public void Subdivide_Trace_HasALinePerStep(SubdivisionScheme scheme)
     {
         using var writer = new StringWriter();

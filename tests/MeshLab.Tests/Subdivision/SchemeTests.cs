@@ -12,6 +12,9 @@ namespace MeshLab.Tests.Subdivision;
 [Trait("Section", "8")]
 public class SchemeTests
 {
+    /// <summary>Every scheme.</summary>
+    public static TheoryData<SubdivisionScheme> Schemes => [.. Enum.GetValues<SubdivisionScheme>()];
+
     public static TheoryData<SubdivisionScheme, string> TriangleCases => Cases(Models.TriangleMeshes, SubdivisionScheme.Loop, SubdivisionScheme.ModifiedButterfly, SubdivisionScheme.Sqrt3, SubdivisionScheme.Midpoint);
 
     public static TheoryData<SubdivisionScheme, string> PolygonCases => Cases(Models.All, SubdivisionScheme.CatmullClark, SubdivisionScheme.DooSabin);
@@ -38,12 +41,7 @@ public class SchemeTests
     }
 
     [Theory]
-    [InlineData(SubdivisionScheme.Loop)]
-    [InlineData(SubdivisionScheme.ModifiedButterfly)]
-    [InlineData(SubdivisionScheme.Sqrt3)]
-    [InlineData(SubdivisionScheme.CatmullClark)]
-    [InlineData(SubdivisionScheme.DooSabin)]
-    [InlineData(SubdivisionScheme.Midpoint)]
+    [MemberData(nameof(Schemes))]
     public void Subdivide_OfAnAffineImage_IsTheAffineImage(SubdivisionScheme scheme)
     {
         static Vector3D Map(Vector3D p) => new(2 * p.X - p.Y + 3, p.X + 0.5 * p.Z, p.Y - 4 * p.Z - 1);
@@ -122,12 +120,7 @@ public class SchemeTests
     }
 
     [Theory]
-    [InlineData(SubdivisionScheme.Loop)]
-    [InlineData(SubdivisionScheme.ModifiedButterfly)]
-    [InlineData(SubdivisionScheme.Sqrt3)]
-    [InlineData(SubdivisionScheme.CatmullClark)]
-    [InlineData(SubdivisionScheme.DooSabin)]
-    [InlineData(SubdivisionScheme.Midpoint)]
+    [MemberData(nameof(Schemes))]
     public void Budget_KnowsTheCounts(SubdivisionScheme scheme)
     {
         Mesh mesh = Models.Create("holes");
