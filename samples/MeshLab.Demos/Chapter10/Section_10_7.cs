@@ -19,11 +19,15 @@ public static class Section_10_7
 
         foreach (AnalyticSurface surface in AnalyticSurface.All)
         {
+            // The rms error falls like the edge length to the power of the order.
             IReadOnlyList<ConvergenceStep> steps = ConvergenceStudy.Measure(surface, 8, 16, 32, 64);
             output.Table(
-                $"convergence on the {surface}",
-                ["quantity", "size", "edge length", "rms error", "max error", "order"],
-                steps.Select(s => new object[] { s.Quantity, s.Size, s.EdgeLength, s.RmsError, s.MaxError, s.Order }));
+                $"rms error on the {surface} by edge length h, and its order",
+                ["quantity", .. steps.Take(4).Select(s => $"h = {s.EdgeLength:G3}"), "largest error", "order"],
+                steps.GroupBy(s => s.Quantity, StringComparer.Ordinal).Select(g => (object[])
+                [
+                    g.Key, .. g.Select(s => (object)s.RmsError), g.Last().MaxError, double.IsNaN(g.Last().Order) ? "exact" : g.Last().Order,
+                ]));
             output.Svg($"convergence {surface}", Chart(surface, steps).ToSvg());
         }
     }

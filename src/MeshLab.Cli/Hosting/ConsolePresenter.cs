@@ -67,8 +67,11 @@ internal static class ConsolePresenter
     private static string ShowItems(IEnumerable items)
     {
         List<object?> all = [.. items.Cast<object?>()];
-        bool nested = all.Count > 0 && all[0] is ResultFields;
-        string shown = string.Join(nested ? "\n" : ", ", all.Take(ItemsShown).Select(Show));
+        // Fields and long lists get a line each; short lists, such as the ends of an edge, stay in the line as (3, 5).
+        bool nested = all.Any(item => item is ResultFields || (IsList(item) && ((IEnumerable)item!).Cast<object?>().Skip(3).Any()));
+        string shown = string.Join(nested ? "\n" : ", ", all.Take(ItemsShown).Select(item => !nested && IsList(item) ? $"({Show(item)})" : Show(item)));
         return all.Count > ItemsShown ? string.Create(CultureInfo.InvariantCulture, $"{shown}{(nested ? "\n" : ", ")}… ({all.Count} in all)") : all.Count == 0 ? "none" : shown;
     }
+
+    private static bool IsList(object? item) => item is IEnumerable and not (string or ResultFields);
 }

@@ -10,7 +10,7 @@ namespace MeshLab.Curvature;
 /// <param name="EdgeLength">The mean edge length h.</param>
 /// <param name="RmsError">The root mean square error over the compared vertices.</param>
 /// <param name="MaxError">The largest error.</param>
-/// <param name="Order">The order p of the root mean square error, ≈ hᵖ, from the mesh before and this one; NaN on the first.</param>
+/// <param name="Order">The order p of the root mean square error, ≈ hᵖ, from the mesh before and this one; NaN on the first, and where nothing but rounding is left.</param>
 public readonly record struct ConvergenceStep(string Quantity, int Size, double EdgeLength, double RmsError, double MaxError, double Order);
 
 /// <summary>§10.7–10.8 How fast discrete curvatures approach the exact ones as the mesh gets finer.</summary>
@@ -70,7 +70,9 @@ public static class ConvergenceStudy
             count++;
         }
         double rms = Math.Sqrt(squares / count);
-        double order = before.Quantity is null ? double.NaN : Math.Log(before.RmsError / rms) / Math.Log(before.EdgeLength / edge);
+        // Angles and normals are rounded at 1e-16 and divided by h for normal curvatures, by h² for K.
+        bool isRounding = rms < 1e-13 / (edge * edge);
+        double order = before.Quantity is null || isRounding ? double.NaN : Math.Log(before.RmsError / rms) / Math.Log(before.EdgeLength / edge);
         return new(quantity, size, edge, rms, max, order);
     }
 

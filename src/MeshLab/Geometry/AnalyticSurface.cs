@@ -47,14 +47,46 @@ public sealed record AnalyticSurface(
             return new(Math.Cosh(z) * Math.Cos(a), Math.Cosh(z) * Math.Sin(a), z);
         }));
 
+    /// <summary>The cylinder of radius 1 about the z axis for 0 ≤ z ≤ 2, open, with the axis inside.</summary>
+    public static AnalyticSurface Cylinder { get; } = new(
+        "cylinder",
+        p => new(p.X, p.Y, 0),
+        _ => 0,
+        _ => 0.5,
+        n => Grid(2 * n, n, true, false, (u, v) => new(Math.Cos(2 * Math.PI * u), Math.Sin(2 * Math.PI * u), 2 * v)));
+
+    /// <summary>The cone of radius 1 at z = 0 with its apex at z = 2, open: its half 0 ≤ z ≤ 1, since at the apex the curvature has no bound.</summary>
+    public static AnalyticSurface Cone { get; } = new(
+        "cone",
+        p => new(p.X, p.Y, Rho(p) / 2),
+        _ => 0,
+        p => 1 / (Math.Sqrt(5) * Rho(p)),
+        n => Grid(2 * n, n, true, false, (u, v) =>
+        {
+            double a = 2 * Math.PI * u, r = 1 - (v / 2);
+            return new(r * Math.Cos(a), r * Math.Sin(a), v);
+        }));
+
+    /// <summary>The hyperbolic paraboloid z = (x² − y²)/2 for |x|, |y| ≤ 1, open, with the normal upward.</summary>
+    public static AnalyticSurface HyperbolicParaboloid { get; } = new(
+        "hyperbolic paraboloid",
+        p => new(-p.X, p.Y, 1),
+        p => -1 / ((1 + (p.X * p.X) + (p.Y * p.Y)) * (1 + (p.X * p.X) + (p.Y * p.Y))),
+        p => ((p.X * p.X) - (p.Y * p.Y)) / (2 * Math.Pow(1 + (p.X * p.X) + (p.Y * p.Y), 1.5)),
+        n => Grid(n, n, false, false, (u, v) =>
+        {
+            double x = (2 * u) - 1, y = (2 * v) - 1;
+            return new(x, y, ((x * x) - (y * y)) / 2);
+        }));
+
     /// <summary>The larger principal curvature at a point, H + √(H² − K).</summary>
     public double MaxCurvature(Vector3D point) => Mean(point) + Math.Sqrt(Math.Max(0, (Mean(point) * Mean(point)) - Gaussian(point)));
 
     /// <summary>The smaller principal curvature at a point, H − √(H² − K).</summary>
     public double MinCurvature(Vector3D point) => Mean(point) - Math.Sqrt(Math.Max(0, (Mean(point) * Mean(point)) - Gaussian(point)));
 
-    /// <summary>The four of them.</summary>
-    public static IReadOnlyList<AnalyticSurface> All { get; } = [Sphere, Torus, Ellipsoid, Catenoid];
+    /// <summary>All of them, the doubly curved ones first.</summary>
+    public static IReadOnlyList<AnalyticSurface> All { get; } = [Sphere, Torus, Ellipsoid, Catenoid, Cylinder, Cone, HyperbolicParaboloid];
 
     /// <summary>The name.</summary>
     public override string ToString() => Name;

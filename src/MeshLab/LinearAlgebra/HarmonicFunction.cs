@@ -61,7 +61,7 @@ public static class HarmonicFunction
                 high = v;
         }
         if (low == high)
-            throw new ArgumentException("The largest component has no lowest and highest vertex; name the fixed vertices.", nameof(mesh));
+            throw new ArgumentException("All vertices of the largest component have the same z, so none is lowest and another highest; name the fixed vertices.", nameof(mesh));
         return (mesh.Vertices[low], mesh.Vertices[high]);
     }
 }

@@ -58,6 +58,6 @@ internal static class OppositeCotangents
         if (mesh.IsTriangleMesh)
             return;
         Face face = mesh.Faces.First(f => !f.IsTriangle);
-        throw new ArgumentException($"{face} has {face.Degree} vertices and this needs triangles; Triangulation.Triangulate makes them.", nameof(mesh));
+        throw new ArgumentException($"{face} has {face.Degree} corners and this needs triangles; Triangulation.Triangulate makes them.", nameof(mesh));
     }
 }

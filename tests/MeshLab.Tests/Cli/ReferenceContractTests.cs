@@ -83,33 +83,4 @@ public sealed class ReferenceContractTests
         Assert.Equal(lengths.Length, loops.Length);
         Assert.All(lengths.Zip(loops), pair => Assert.Equal(pair.First, pair.Second, pair.First * 1e-12));
     }
-
-    [SkippableTheory]
-    [InlineData("reference_annulus")]
-    [InlineData("bunny_closed")]
-    public void Values_Arrays_EqualTheReferenceArrays(string name)
-    {
-        string path = ReferenceData.ModelPath(name);
-        JsonElement arrays = ReferenceData.Arrays(name).RootElement;
-        foreach ((string value, string array) in ((string, string)[])
-        [
-            ("area", "face_area"), ("normal", "face_normal"), ("angle", "interior_angles"), ("normal-area", "vertex_normal_area"), ("normal-angle", "vertex_normal_angle"),
-            ("mixed-area", "mixed_area"), ("barycentric-area", "barycentric_area"), ("angle-defect", "gauss_integrated"),
-        ])
-        {
-            double[] found = ReferenceData.Numbers(CliCall.Json(0, "values", path, "--of", value).GetProperty("values"));
-            double[] expected = ReferenceData.Numbers(arrays.GetProperty(array));
-            Assert.Equal(expected.Length, found.Length);
-            double scale = expected.Where(double.IsFinite).Max(Math.Abs);
-            for (int i = 0; i < found.Length; i++)
-            {
-                Assert.True(
-                    Math.Abs(found[i] - expected[i]) <= 1e-9 * scale || double.IsNaN(found[i]) == double.IsNaN(expected[i]) && double.IsNaN(found[i]),
-                    string.Create(CultureInfo.InvariantCulture, $"{name}, {value}[{i}]: {found[i]:R}, expected {expected[i]:R}"));
-            }
-        }
-        JsonElement lengths = CliCall.Json(0, "values", path, "--of", "length");
-        double[] pairs = ReferenceData.Numbers(lengths.GetProperty("pairs"));
-        Assert.Equal(ReferenceData.Numbers(arrays.GetProperty("cotan_weight_ij")), pairs);
-    }
 }

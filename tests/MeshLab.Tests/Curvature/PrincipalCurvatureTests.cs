@@ -17,6 +17,9 @@ public class PrincipalCurvatureTests
     [InlineData("torus")]
     [InlineData("ellipsoid")]
     [InlineData("catenoid")]
+    [InlineData("cylinder")]
+    [InlineData("cone")]
+    [InlineData("hyperbolic paraboloid")]
     public void ConvergenceStudy_AnalyticSurface_AllCurvaturesConverge(string name)
     {
         AnalyticSurface surface = AnalyticSurface.All.Single(s => s.Name == name);
@@ -28,8 +31,12 @@ public class PrincipalCurvatureTests
             double least = step.Quantity.Contains("Tensor", StringComparison.Ordinal) ? 1.2
                 : step.Quantity is "K" or "k1 JetFitting" or "k2 JetFitting" ? 1.6
                 : 1.5;
-            Assert.True(step.Order > least, $"{name} {step}");
             Assert.True(step.RmsError < 0.05, $"{name} {step}");
+            // A ring of vertices of a cylinder is turned into the next one by a symmetry, so that their defects are zero.
+            if (name == "cylinder" && step.Quantity is ("K" or "k2 MeanAndGaussian"))
+                Assert.True(step.RmsError < 1e-12 && double.IsNaN(step.Order), $"{name} {step}");
+            else
+                Assert.True(step.Order > least, $"{name} {step}");
         }
     }
 

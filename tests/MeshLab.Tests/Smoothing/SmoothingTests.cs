@@ -46,6 +46,24 @@ public class SmoothingTests
 
     [Theory]
     [MemberData(nameof(WayNames))]
+    public void Smooth_AnyWay_ReportsRisingSharesUpToOne(string way)
+    {
+        var reports = new Reports();
+        Ways[way](Models.Create("bumpy-sphere"), 4, SmoothingBoundary.Fixed, reports);
+        Assert.Equal(reports.Shares.Order(), reports.Shares);
+        Assert.True(reports.Shares.Count >= 4 && reports.Shares[0] is > 0 and <= 0.25);
+        Assert.Equal(1, reports.Shares[^1]);
+    }
+
+    private sealed class Reports : IProgress<double>
+    {
+        public List<double> Shares { get; } = [];
+
+        public void Report(double value) => Shares.Add(value);
+    }
+
+    [Theory]
+    [MemberData(nameof(WayNames))]
     public void Smooth_NoisySphere_EvensTheRadius(string way)
     {
         Mesh mesh = Models.Create("bumpy-sphere");

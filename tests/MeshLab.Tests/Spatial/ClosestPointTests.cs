@@ -47,6 +47,14 @@ public class ClosestPointTests
     }
 
     [Fact]
+    public void FindClosest_AllVerticesInOnePlace_IsTheDistanceToIt()
+    {
+        ClosestPoint found = FaceTree.Build([new(1, 2, 3), new(1, 2, 3), new(1, 2, 3)], [0, 1, 2]).FindClosest(new(4, 6, 3));
+        Assert.Equal(5, found.Distance);
+        Assert.Equal(new Vector3D(1, 2, 3), found.Point);
+    }
+
+    [Fact]
     public void FindClosest_EquallyFarTriangles_TakesTheLowest()
     {
         TriangleSoups.Soup soup = TriangleSoups.Make("repeated");

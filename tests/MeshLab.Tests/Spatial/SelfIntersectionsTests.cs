@@ -55,6 +55,20 @@ public class SelfIntersectionsTests
     }
 
     [Fact]
+    public void FacePair_Order_IsLexicographic()
+    {
+        FacePair[] sorted = [new(0, 1), new(0, 2), new(1, 2)];
+        for (int i = 0; i < sorted.Length; i++)
+        {
+            for (int j = 0; j < sorted.Length; j++)
+            {
+                Assert.Equal(i.CompareTo(j), sorted[i].CompareTo(sorted[j]));
+                Assert.Equal((i < j, i <= j, i > j, i >= j), (sorted[i] < sorted[j], sorted[i] <= sorted[j], sorted[i] > sorted[j], sorted[i] >= sorted[j]));
+            }
+        }
+    }
+
+    [Fact]
     public void FindSelfIntersections_FoldedFlat_NamesTheTwoFacesAtTheEdge()
     {
         // 2 is on the same side of the edge 0-1 as 3, in one plane.

@@ -96,6 +96,27 @@ public class TraitTransferTests
         Assert.Throws<ArgumentException>("source", () => copy.TakeTraitsFrom(source));
     }
 
+    [Theory]
+    [InlineData(0.2, 0.3, 0)]
+    [InlineData(0.3, 0.2, 0)]
+    [InlineData(0.5, 0.2, 1)]
+    [InlineData(0.5, 0.4, 1)]
+    [InlineData(0.2, 0.5, 2)]
+    [InlineData(0.4, 0.5, 2)]
+    public void TakeTraitsFrom_PointWithinAFace_NameComesFromTheCornerOfLargestWeight(double x, double y, int largest)
+    {
+        Mesh source = MeshBuilder.FromTriangles([default, new(1, 0, 0), new(0, 1, 0)], [0, 1, 2]);
+        VertexTrait<string> name = source.AddVertexTrait("name", "none");
+        foreach (Vertex v in source.Vertices)
+            name[v] = v.ToString();
+        Mesh mesh = MeshBuilder.FromTriangles([new(x, y, 0.5), new(x + 5, y, 0.5), new(x, y + 5, 0.5)], [0, 1, 2]);
+
+        mesh.TakeTraitsFrom(source);
+
+        Assert.True(mesh.TryGetVertexTrait("name", out VertexTrait<string>? taken));
+        Assert.Equal($"v{largest}", taken[mesh.Vertices[0]]);
+    }
+
     [Fact]
     public void TakeTraitsFrom_BadInput_NamesIt()
     {
