@@ -65,42 +65,28 @@ public sealed class HeatGeodesics
         options ??= new HeatOptions();
         this.mesh = mesh;
         (index, slots) = NumberVertices(mesh);
-        double[] doubleArea = [];
         SparseMatrix laplacian;
         if (options.IntrinsicDelaunay)
         {
             intrinsic = LinearAlgebra.IntrinsicDelaunay.Of(mesh);
             (next, outgoing) = (intrinsic.Next, Outgoing(intrinsic, mesh.VertexSlots));
-            cotangent = intrinsic.ComputeCotangents();
             laplacian = intrinsic.ComputeLaplacian();
         }
         else
         {
+            OppositeCotangents.RequireTriangles(mesh);
             (next, outgoing) = (mesh.next, mesh.outgoing);
-            cotangent = OppositeCotangents.Of(mesh, out doubleArea);
-            laplacian = Laplacian.Assemble(mesh, Laplacian.CotangentWeights(cotangent, double.NegativeInfinity), perHalfEdge: false);
+            laplacian = Laplacian.PlacesOf(mesh);
         }
-        if (slots.Length < mesh.VertexSlots)
-            laplacian = laplacian.Principal(index, slots.Length);
+        SparseMatrix places = slots.Length < mesh.VertexSlots ? laplacian.Principal(index, slots.Length) : laplacian;
 
         // The analysis reads the places of the entries alone, so that their values may be worked on meanwhile.
         CholeskyAnalysis? analysis = null;
-        (double[] Mass, int[] Component, SparseMatrix Diffusion)? rest = null;
+        Matrices? assembled = null;
         Parallelism.Invoke(
-            () => analysis = CholeskyAnalysis.Of(laplacian, Array.ConvertAll(slots, v => mesh.positions[v])),
-            () =>
-            {
-                double[] masses = intrinsic is null ? MassMatrix.Lumped(mesh, cotangent, doubleArea, MassKind.Barycentric) : Masses(intrinsic, mesh.VertexSlots);
-                int[] components = VertexComponents.Of(mesh);
-                double edge = MeanEdgeLength(mesh);
-                SparseMatrix sum = laplacian.ScaleAndAdd(options.TimeFactor * edge * edge, SparseMatrix.FromDiagonal(Array.ConvertAll(slots, v => masses[v])));
-                FillEmptyRows(sum);
-                FillEmptyRows(laplacian);
-                // The Laplacian alone is singular: doubling one diagonal entry per component fixes that vertex at 0, since the right-hand side sums to 0.
-                PinComponents(laplacian, slots, components);
-                rest = (masses, components, sum);
-            });
-        (mass, component, SparseMatrix diffusion) = rest!.Value;
+            () => analysis = CholeskyAnalysis.Of(places, Array.ConvertAll(slots, v => mesh.positions[v])),
+            () => assembled = Assemble(laplacian, options.TimeFactor));
+        (cotangent, mass, component, laplacian, SparseMatrix diffusion) = assembled!;
 
         var accept = new CholeskyOptions { RelativeZero = 0 };
         SparseCholesky? ofDiffusion = null, ofLaplacian = null;
@@ -126,6 +112,34 @@ public sealed class HeatGeodesics
         double[] u = heat.Solve(start);
         double[] phi = poisson.Solve(Divergence(FluxOfFlow(u)));
         return Shift(phi, sources);
+    }
+
+    private sealed record Matrices(double[] Cotangent, double[] Mass, int[] Component, SparseMatrix Laplacian, SparseMatrix Diffusion);
+
+    private Matrices Assemble(SparseMatrix laplacian, double timeFactor)
+    {
+        double[] cotangents, masses;
+        if (intrinsic is not null)
+        {
+            (cotangents, masses) = (intrinsic.ComputeCotangents(), Masses(intrinsic, mesh.VertexSlots));
+        }
+        else
+        {
+            cotangents = OppositeCotangents.Of(mesh, out double[] doubleArea);
+            masses = MassMatrix.Lumped(mesh, cotangents, doubleArea, MassKind.Barycentric);
+            Laplacian.Fill(laplacian, mesh, Laplacian.CotangentWeights(cotangents, double.NegativeInfinity));
+        }
+        if (slots.Length < mesh.VertexSlots)
+            laplacian = laplacian.Principal(index, slots.Length);
+
+        int[] components = VertexComponents.Of(mesh);
+        double edge = MeanEdgeLength(mesh);
+        SparseMatrix diffusion = laplacian.ScaleAndAdd(timeFactor * edge * edge, SparseMatrix.FromDiagonal(Array.ConvertAll(slots, v => masses[v])));
+        FillEmptyRows(diffusion);
+        FillEmptyRows(laplacian);
+        // The Laplacian alone is singular: doubling one diagonal entry per component fixes that vertex at 0, since the right-hand side sums to 0.
+        PinComponents(laplacian, slots, components);
+        return new Matrices(cotangents, masses, components, laplacian, diffusion);
     }
 
     private static (int[] Index, int[] Slots) NumberVertices(Mesh mesh)

@@ -84,62 +84,81 @@ public static class Laplacian
         return weight;
     }
 
-    // Row i is read off by turning around vertex i once.
     internal static SparseMatrix Assemble(Mesh mesh, double[] weight, bool perHalfEdge)
     {
-        int n = mesh.VertexSlots, shift = perHalfEdge ? 0 : 1;
+        SparseMatrix laplacian = PlacesOf(mesh, isSymmetric: !perHalfEdge);
+        Fill(laplacian, mesh, weight);
+        return laplacian;
+    }
+
+    /// <summary>The places of the entries; the values are not set yet. Row i lists the neighbours of vertex i as they are met turning around it.</summary>
+    internal static SparseMatrix PlacesOf(Mesh mesh, bool isSymmetric = true)
+    {
+        int n = mesh.VertexSlots;
         var rowStart = new int[n + 1];
-        Parallelism.ForBlocks(n, (from, to) =>
-        {
-            ReadOnlySpan<int> next = mesh.Next, outgoing = mesh.Outgoing;
-            for (int v = from; v < to; v++)
-            {
-                int first = outgoing[v], valence = 0;
-                if (first >= 0)
-                {
-                    int h = first;
-                    do
-                    {
-                        valence++;
-                        h = next[h ^ 1];
-                    }
-                    while (h != first);
-                }
-                rowStart[v + 1] = valence;
-            }
-        });
+        Parallelism.ForBlocks(n, (from, to) => CountNeighbors(mesh, rowStart, from, to));
         for (int v = 0; v < n; v++)
             rowStart[v + 1] += rowStart[v];
-
         var columns = GC.AllocateUninitializedArray<int>(rowStart[n]);
-        var values = GC.AllocateUninitializedArray<double>(rowStart[n]);
-        var diagonal = new double[n];
-        Parallelism.ForBlocks(n, (from, to) =>
+        Parallelism.ForBlocks(n, (from, to) => ListNeighbors(mesh, rowStart, columns, from, to));
+        return new SparseMatrix(rowStart, columns, GC.AllocateUninitializedArray<double>(columns.Length), new double[n], isSymmetric);
+    }
+
+    /// <summary>Sets the values; weights are per edge if the matrix is symmetric, otherwise per half-edge.</summary>
+    internal static void Fill(SparseMatrix places, Mesh mesh, double[] weight) =>
+        Parallelism.ForBlocks(places.Size, (from, to) => FillRows(places, mesh, weight, places.IsSymmetric ? 1 : 0, from, to));
+
+    private static void CountNeighbors(Mesh mesh, Span<int> rowStart, int from, int to)
+    {
+        ReadOnlySpan<int> next = mesh.Next, outgoing = mesh.Outgoing;
+        for (int v = from; v < to; v++)
         {
-            ReadOnlySpan<int> next = mesh.Next, target = mesh.Target, outgoing = mesh.Outgoing;
-            ReadOnlySpan<double> weights = weight;
-            Span<int> rowColumns = columns;
-            Span<double> rowValues = values;
-            for (int v = from; v < to; v++)
+            int first = outgoing[v], valence = 0;
+            if (first >= 0)
             {
-                int first = outgoing[v];
-                if (first < 0)
-                    continue;
-                int h = first, at = rowStart[v];
-                double sum = 0;
+                int h = first;
                 do
                 {
-                    double w = weights[h >> shift];
-                    rowColumns[at] = target[h];
-                    rowValues[at++] = -w;
-                    sum += w;
+                    valence++;
                     h = next[h ^ 1];
                 }
                 while (h != first);
-                diagonal[v] = sum;
             }
-        });
-        return new SparseMatrix(rowStart, columns, values, diagonal, isSymmetric: !perHalfEdge);
+            rowStart[v + 1] = valence;
+        }
+    }
+
+    private static void ListNeighbors(Mesh mesh, ReadOnlySpan<int> rowStart, Span<int> columns, int from, int to)
+    {
+        ReadOnlySpan<int> next = mesh.Next, target = mesh.Target, outgoing = mesh.Outgoing;
+        for (int v = from; v < to; v++)
+        {
+            int h = outgoing[v];
+            for (int k = rowStart[v]; k < rowStart[v + 1]; k++)
+            {
+                columns[k] = target[h];
+                h = next[h ^ 1];
+            }
+        }
+    }
+
+    private static void FillRows(SparseMatrix places, Mesh mesh, ReadOnlySpan<double> weight, int shift, int from, int to)
+    {
+        ReadOnlySpan<int> rowStart = places.RowStart, next = mesh.Next, outgoing = mesh.Outgoing;
+        Span<double> values = places.Values, diagonal = places.Diagonal;
+        for (int v = from; v < to; v++)
+        {
+            int h = outgoing[v];
+            double sum = 0;
+            for (int k = rowStart[v]; k < rowStart[v + 1]; k++)
+            {
+                double w = weight[h >> shift];
+                values[k] = -w;
+                sum += w;
+                h = next[h ^ 1];
+            }
+            diagonal[v] = sum;
+        }
     }
 
     private static double[] UniformWeights(Mesh mesh)

@@ -49,33 +49,54 @@ public static class MassMatrix
     {
         if (kind is not (MassKind.Mixed or MassKind.Barycentric or MassKind.Voronoi))
             throw new ArgumentOutOfRangeException(nameof(kind), kind, "No lumped mass.");
+        var mass = new double[mesh.VertexSlots];
+        if (kind == MassKind.Barycentric)
+            Parallelism.ForBlocks(mass.Length, (from, to) => FillThirds(mesh, doubleArea, mass, from, to));
+        else
+            Parallelism.ForBlocks(mass.Length, (from, to) => FillVoronoi(mesh, cotangent, doubleArea, kind == MassKind.Mixed, mass, from, to));
+        return mass;
+    }
+
+    private static void FillThirds(Mesh mesh, ReadOnlySpan<double> doubleArea, Span<double> mass, int from, int to)
+    {
+        ReadOnlySpan<int> next = mesh.Next, outgoing = mesh.Outgoing, face = mesh.FaceOf;
+        for (int v = from; v < to; v++)
+        {
+            int first = outgoing[v], h = first;
+            if (first < 0)
+                continue;
+            double sum = 0;
+            do
+            {
+                int f = face[h];
+                if (f >= 0)
+                    sum += doubleArea[f] / 6;
+                h = next[h ^ 1];
+            }
+            while (h != first);
+            mass[v] = sum;
+        }
+    }
+
+    private static void FillVoronoi(Mesh mesh, double[] cotangent, double[] doubleArea, bool isMixed, Span<double> mass, int from, int to)
+    {
         int[] next = mesh.next, target = mesh.target, outgoing = mesh.outgoing, face = mesh.face;
         Vector3D[] position = mesh.positions;
-        var mass = new double[mesh.VertexSlots];
-        Parallelism.ForBlocks(mass.Length, (from, to) =>
+        for (int v = from; v < to; v++)
         {
-            for (int v = from; v < to; v++)
+            int first = outgoing[v], h = first;
+            if (first < 0)
+                continue;
+            double sum = 0;
+            do
             {
-                int first = outgoing[v];
-                if (first < 0)
-                    continue;
-                int h = first;
-                double sum = 0;
-                do
-                {
-                    if (face[h] >= 0)
-                    {
-                        sum += kind == MassKind.Barycentric
-                            ? doubleArea[face[h]] / 6
-                            : VoronoiPart(h, next, target, position, cotangent, doubleArea[face[h]], kind == MassKind.Mixed);
-                    }
-                    h = next[h ^ 1];
-                }
-                while (h != first);
-                mass[v] = sum;
+                if (face[h] >= 0)
+                    sum += VoronoiPart(h, next, target, position, cotangent, doubleArea[face[h]], isMixed);
+                h = next[h ^ 1];
             }
-        });
-        return mass;
+            while (h != first);
+            mass[v] = sum;
+        }
     }
 
     // The part of the face left of h that belongs to h's source.

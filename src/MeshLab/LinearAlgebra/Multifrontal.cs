@@ -37,7 +37,7 @@ internal sealed unsafe class Multifrontal<TVector, TLanes>
     private readonly PivotRule rule;
 
     // Update matrices that outlive their thread's stack: those of subtree roots and of the supernodes above.
-    private readonly double[]?[] keptUpdates;
+    private readonly PinnedArray?[] keptUpdates;
     private readonly double*[] updates;
 
     private readonly Lock gate = new();
@@ -52,7 +52,7 @@ internal sealed unsafe class Multifrontal<TVector, TLanes>
         this.matrix = matrix;
         this.factor = factor;
         this.rule = rule;
-        keptUpdates = new double[]?[nodes.Count];
+        keptUpdates = new PinnedArray?[nodes.Count];
         updates = new double*[nodes.Count];
     }
 
@@ -60,33 +60,46 @@ internal sealed unsafe class Multifrontal<TVector, TLanes>
     /// <exception cref="NotPositiveDefiniteException">A pivot failed; of several, the first in the order of elimination is named.</exception>
     public void Run(CancellationToken cancellationToken)
     {
+        try
+        {
+            FactorSubtrees(cancellationToken);
+            cancellationToken.ThrowIfCancellationRequested();
+            using var top = new Front(this, default);
+            foreach (int s in analysis.Schedule.Top)
+            {
+                cancellationToken.ThrowIfCancellationRequested();
+                if (nodes.First[s] < failedColumn)
+                    top.Process(s, isKept: true, isTop: true);
+            }
+        }
+        finally
+        {
+            // All are released by their parents, unless the work ended early.
+            foreach (PinnedArray? kept in keptUpdates)
+                kept?.Dispose();
+        }
+        if (failedColumn != int.MaxValue)
+            throw new NotPositiveDefiniteException(tree.Order[failedColumn], failedPivot);
+    }
+
+    private void FactorSubtrees(CancellationToken cancellationToken)
+    {
         SubtreeSchedule schedule = analysis.Schedule;
         int threads = Math.Min(Parallelism.Threads, schedule.SubtreeRoots.Length);
         int next = -1;
         Parallelism.ForBlocks(threads, 1, (_, _) =>
         {
-            Front? front = null;
-            for (int i = Interlocked.Increment(ref next); i < schedule.SubtreeRoots.Length; i = Interlocked.Increment(ref next))
+            int i = Interlocked.Increment(ref next);
+            if (i >= schedule.SubtreeRoots.Length)
+                return;
+            using var front = new Front(this, analysis.StackSize);
+            for (; i < schedule.SubtreeRoots.Length && !cancellationToken.IsCancellationRequested; i = Interlocked.Increment(ref next))
             {
-                if (cancellationToken.IsCancellationRequested)
-                    return;
-                front ??= new Front(this, analysis.StackSize);
                 front.Clear();
                 for (int s = schedule.SubtreeFirst[i]; s <= schedule.SubtreeRoots[i] && nodes.First[s] < Volatile.Read(ref failedColumn); s++)
                     front.Process(s, isKept: s == schedule.SubtreeRoots[i], isTop: false);
             }
         });
-
-        cancellationToken.ThrowIfCancellationRequested();
-        var top = new Front(this, default);
-        foreach (int s in schedule.Top)
-        {
-            cancellationToken.ThrowIfCancellationRequested();
-            if (nodes.First[s] < failedColumn)
-                top.Process(s, isKept: true, isTop: true);
-        }
-        if (failedColumn != int.MaxValue)
-            throw new NotPositiveDefiniteException(tree.Order[failedColumn], failedPivot);
     }
 
     private void Fail(int column, double pivot)
@@ -99,13 +112,13 @@ internal sealed unsafe class Multifrontal<TVector, TLanes>
     }
 
     // One thread's scratch space, and the steps on one supernode.
-    private sealed class Front
+    private sealed class Front : IDisposable
     {
         private readonly Multifrontal<TVector, TLanes> owner;
 
         // Update matrices wait on two stacks, by the parity of the depth in the tree: a supernode's goes on one while its children's are still
         // at the end of the other.
-        private readonly double[] evenStack, oddStack;
+        private readonly PinnedArray evenStack, oddStack;
         private long evenTop, oddTop;
 
         // Per row its place in the current front; per row of a child its place in the parent's front.
@@ -116,11 +129,17 @@ internal sealed unsafe class Multifrontal<TVector, TLanes>
         public Front(Multifrontal<TVector, TLanes> owner, (long Even, long Odd) stackSize)
         {
             this.owner = owner;
-            evenStack = GC.AllocateUninitializedArray<double>(checked((int)stackSize.Even), pinned: true);
-            oddStack = GC.AllocateUninitializedArray<double>(checked((int)stackSize.Odd), pinned: true);
+            evenStack = new PinnedArray(stackSize.Even);
+            oddStack = new PinnedArray(stackSize.Odd);
             place = GC.AllocateUninitializedArray<int>(owner.matrix.Size);
             childPlace = GC.AllocateUninitializedArray<int>(owner.analysis.LargestRowCount);
             smallest = new double[owner.analysis.LargestColumnCount + 4];
+        }
+
+        public void Dispose()
+        {
+            evenStack.Dispose();
+            oddStack.Dispose();
         }
 
         // A subtree given up after a failed pivot leaves its update matrices behind.
@@ -186,18 +205,17 @@ internal sealed unsafe class Multifrontal<TVector, TLanes>
             double* update;
             if (isKept)
             {
-                double[] array = GC.AllocateUninitializedArray<double>(checked((int)size), pinned: true);
-                owner.keptUpdates[s] = array;
-                update = (double*)System.Runtime.CompilerServices.Unsafe.AsPointer(ref array[0]);
+                owner.keptUpdates[s] = new PinnedArray(size);
+                update = owner.keptUpdates[s]!.Pointer;
             }
             else if ((owner.analysis.Depth[s] & 1) == 0)
             {
-                update = (double*)System.Runtime.CompilerServices.Unsafe.AsPointer(ref evenStack[evenTop]);
+                update = evenStack.Pointer + evenTop;
                 evenTop += size;
             }
             else
             {
-                update = (double*)System.Runtime.CompilerServices.Unsafe.AsPointer(ref oddStack[oddTop]);
+                update = oddStack.Pointer + oddTop;
                 oddTop += size;
             }
             new Span<double>(update, (int)size).Clear();
@@ -209,8 +227,11 @@ internal sealed unsafe class Multifrontal<TVector, TLanes>
         {
             if (owner.updates[child] == null)
                 return;
-            if (owner.keptUpdates[child] != null)
+            if (owner.keptUpdates[child] is { } kept)
+            {
+                kept.Dispose();
                 owner.keptUpdates[child] = null;
+            }
             else if ((owner.analysis.Depth[child] & 1) == 0)
                 evenTop -= CholeskyAnalysis.UpdateSize(owner.nodes.RowCount(child));
             else

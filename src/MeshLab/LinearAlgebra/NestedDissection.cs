@@ -26,7 +26,7 @@ public static class NestedDissection
         if (positions.Length != 0 && positions.Length != matrix.Size)
             throw new ArgumentException($"{positions.Length} positions for {matrix.Size} rows.", nameof(positions));
         Vector3D[] points = positions.IsEmpty ? LandmarkCoordinates.Of(matrix) : positions.ToArray();
-        var dissection = new Dissection(matrix, points);
+        var dissection = new Dissection(matrix.RowStartArray, matrix.ColumnArray, points);
         dissection.Dissect(0, matrix.Size);
         return dissection.Order;
     }
@@ -52,12 +52,16 @@ public static class NestedDissection
         private readonly int[] order, buffer;
         private int lastPart;
 
-        public Dissection(SparseMatrix matrix, Vector3D[] position)
+        // Per row its number in the copy of its half of the part; used when the part is large.
+        private readonly int[] place;
+
+        public Dissection(int[] rowStart, int[] columns, Vector3D[] position)
         {
-            rowStart = matrix.RowStartArray;
-            columns = matrix.ColumnArray;
+            this.rowStart = rowStart;
+            this.columns = columns;
             this.position = position;
-            int n = matrix.Size;
+            int n = position.Length;
+            place = n >= ParallelSize ? GC.AllocateUninitializedArray<int>(n) : [];
             part = new int[n];
             side = new byte[n];
             height = new double[n];
@@ -75,7 +79,7 @@ public static class NestedDissection
                 return;
 
             Vector3D direction = LongestDirection(from, to);
-            int id = Interlocked.Increment(ref lastPart);
+            int id = ++lastPart;
             foreach (int v in order.AsSpan(from, to - from))
                 part[v] = id;
             if (to - from <= ScanSize || !CutAcrossThinnestPlace(from, to, id, direction))
@@ -88,18 +92,49 @@ public static class NestedDissection
                 return;
 
             int middle = from + left, end = middle + right;
-            if (to - from >= ParallelSize && Parallelism.Threads > 1)
+            if (to - from >= ParallelSize)
             {
-                // The two parts share nothing but the columns' read-only arrays: a row of the other part never has this part's number.
-                Task other = Task.Run(() => Dissect(middle, end));
-                Dissect(from, middle);
-                other.Wait();
+                Parallelism.Invoke(() => DissectApart(from, middle), () => DissectApart(middle, end));
             }
             else
             {
                 Dissect(from, middle);
                 Dissect(middle, end);
             }
+        }
+
+        // The same on a copy of the part's graph: threads that wrote to arrays in common would take each other's cache lines away, and
+        // its rows lie closer together there.
+        private void DissectApart(int from, int to)
+        {
+            int[] rows = order.AsSpan(from, to - from).ToArray();
+            int entries = 0;
+            for (int i = 0; i < rows.Length; i++)
+            {
+                place[rows[i]] = i;
+                entries += rowStart[rows[i] + 1] - rowStart[rows[i]];
+            }
+
+            var start = new int[rows.Length + 1];
+            var column = GC.AllocateUninitializedArray<int>(entries);
+            var point = GC.AllocateUninitializedArray<Vector3D>(rows.Length);
+            int at = 0, id = part[rows[0]];
+            byte half = side[rows[0]];
+            for (int i = 0; i < rows.Length; i++)
+            {
+                point[i] = position[rows[i]];
+                foreach (int u in columns.AsSpan(rowStart[rows[i]], rowStart[rows[i] + 1] - rowStart[rows[i]]))
+                {
+                    if (part[u] == id && side[u] == half)
+                        column[at++] = place[u];
+                }
+                start[i + 1] = at;
+            }
+
+            var apart = new Dissection(start, column, point);
+            apart.Dissect(0, rows.Length);
+            for (int i = 0; i < rows.Length; i++)
+                order[from + i] = rows[apart.order[i]];
         }
 
         // The principal axis of the positions, by a few steps of the power method; exactness does not matter.

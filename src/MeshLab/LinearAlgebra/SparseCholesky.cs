@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 
 namespace MeshLab.LinearAlgebra;
@@ -41,6 +40,9 @@ public sealed unsafe class SparseCholesky
     private const int SidesAtOnce = 4;
 
     private readonly double[] storage;
+
+    // Where the first panel begins. Should the collector ever move the array, the panels lose their alignment only.
+    private readonly int aligned;
     private readonly PivotRule rule;
     private bool isFactored;
 
@@ -69,8 +71,10 @@ public sealed unsafe class SparseCholesky
         options ??= new CholeskyOptions();
         Analysis = analysis;
         rule = new PivotRule(options.RelativeZero, options.AllowSemidefinite);
-        // 7 numbers to begin at a cache line, 64 for the reads beyond the last panel; pinned, since the kernels work on addresses.
-        storage = GC.AllocateUninitializedArray<double>((int)analysis.Nodes.PanelStart[^1] + 7 + 64, pinned: true);
+        // 7 numbers to begin at a cache line, 64 for the reads beyond the last panel.
+        storage = GC.AllocateUninitializedArray<double>((int)analysis.Nodes.PanelStart[^1] + 7 + 64);
+        fixed (double* start = storage)
+            aligned = (int)((((nuint)start + 63) & ~(nuint)63) - (nuint)start) / sizeof(double);
         Factor(matrix, cancellationToken);
     }
 
@@ -83,15 +87,6 @@ public sealed unsafe class SparseCholesky
     /// <summary>The rows whose unknown was fixed at 0 because their pivot is zero; empty unless <see cref="CholeskyOptions.AllowSemidefinite"/>.</summary>
     public IReadOnlyList<int> FixedRows { get; private set; } = [];
 
-    private double* Panels
-    {
-        get
-        {
-            var address = (nuint)Unsafe.AsPointer(ref storage[0]);
-            return (double*)((address + 63) & ~(nuint)63);
-        }
-    }
-
     /// <summary>Replaces the factor by that of another matrix with entries in the same places.</summary>
     /// <param name="matrix">The matrix.</param>
     /// <param name="cancellationToken">Stops the work; the factor is then unusable.</param>
@@ -101,7 +96,8 @@ public sealed unsafe class SparseCholesky
     {
         Analysis.ThrowIfOtherPattern(matrix, nameof(matrix));
         isFactored = false;
-        Multifrontal.Run(Analysis, matrix, Panels, rule, cancellationToken);
+        fixed (double* start = storage)
+            Multifrontal.Run(Analysis, matrix, start + aligned, rule, cancellationToken);
         FixedRows = rule.AcceptZero ? FindFixedRows() : [];
         isFactored = true;
     }
@@ -150,7 +146,7 @@ public sealed unsafe class SparseCholesky
     {
         int n = Size;
         int[] order = Analysis.Tree.Order;
-        var x = GC.AllocateUninitializedArray<double>(checked(n * b.Length + 1), pinned: true);
+        var x = GC.AllocateUninitializedArray<double>(checked(n * b.Length + 1));
         for (int q = 0; q < b.Length; q++)
         {
             ReadOnlySpan<double> side = b[q];
@@ -158,7 +154,8 @@ public sealed unsafe class SparseCholesky
             for (int i = 0; i < ordered.Length; i++)
                 ordered[i] = side[order[i]];
         }
-        SupernodalSolve.Run(Analysis, Panels, (double*)Unsafe.AsPointer(ref x[0]), b.Length);
+        fixed (double* start = storage, sides = x)
+            SupernodalSolve.Run(Analysis, start + aligned, sides, b.Length);
         for (int q = 0; q < b.Length; q++)
         {
             solutions[q] = new double[n];
@@ -166,19 +163,17 @@ public sealed unsafe class SparseCholesky
             for (int i = 0; i < ordered.Length; i++)
                 solution[order[i]] = ordered[i];
         }
-        GC.KeepAlive(storage);
     }
 
     private List<int> FindFixedRows()
     {
         var rows = new List<int>();
         Supernodes nodes = Analysis.Nodes;
-        double* panels = Panels;
         for (int s = 0; s < nodes.Count; s++)
         {
             for (int j = 0; j < nodes.ColumnCount(s); j++)
             {
-                if (double.IsPositiveInfinity(panels[nodes.PanelStart[s] + (long)j * (nodes.PanelStride(s) + 1)]))
+                if (double.IsPositiveInfinity(storage[aligned + nodes.PanelStart[s] + (long)j * (nodes.PanelStride(s) + 1)]))
                     rows.Add(Analysis.Tree.Order[nodes.First[s] + j]);
             }
         }

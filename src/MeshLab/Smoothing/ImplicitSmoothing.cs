@@ -64,45 +64,76 @@ public static class ImplicitSmoothing
         Mesh mesh, Vector3D[] positions, ImplicitSmoothingOptions options, ref CholeskyAnalysis? analysis, CancellationToken cancellationToken)
     {
         cancellationToken.ThrowIfCancellationRequested();
-        double[] cotangent = OppositeCotangents.Of(mesh, positions, out double[] doubleArea);
-        double[] mass = MassMatrix.Lumped(mesh, cotangent, doubleArea, MassKind.Barycentric);
-        SparseMatrix laplacian = options.Weights == LaplacianWeights.Cotangent
-            ? Laplacian.Assemble(mesh, Laplacian.CotangentWeights(cotangent, double.NegativeInfinity), perHalfEdge: false)
-            : LaplacianAt(mesh, positions, options.Weights);
-
-        (int[] index, int[] free) = NumberFree(mesh, mass, options.Boundary);
-        double time = options.Time * MeanMass(mesh, mass);
+        bool isCotangent = options.Weights == LaplacianWeights.Cotangent;
+        SparseMatrix laplacian = isCotangent ? Laplacian.PlacesOf(mesh) : LaplacianAt(mesh, positions, options.Weights);
+        (int[] index, int[] free) = NumberFree(mesh, isCotangent ? null : Masses(mesh, positions, out _), options.Boundary);
+        SparseMatrix places = free.Length == laplacian.Size ? laplacian : laplacian.Principal(index, free.Length);
         Vector3D[] result = (Vector3D[])positions.Clone();
-        if (options.Boundary == SmoothingBoundary.AlongCurve)
-            BoundaryCurves.Step(mesh, positions, time, result, cancellationToken);
-        if (free.Length == 0)
-            return result;
 
-        SparseMatrix matrix = laplacian.Principal(index, free.Length)
-            .ScaleAndAdd(time, SparseMatrix.FromDiagonal(Array.ConvertAll(free, v => mass[v])));
-        var right = new Vector3D[free.Length];
-        Parallelism.ForBlocks(free.Length, (from, to) =>
-        {
-            for (int i = from; i < to; i++)
-            {
-                int v = free[i];
-                right[i] = mass[v] * positions[v];
-                for (int k = laplacian.RowStart[v]; k < laplacian.RowStart[v + 1]; k++)
-                {
-                    int j = laplacian.Columns[k];
-                    if (index[j] < 0)
-                        right[i] -= time * laplacian.Values[k] * result[j];
-                }
-            }
-        });
+        // Where the entries lie is known before their values are. Intrinsic Delaunay triangulations differ from step to step.
+        CholeskyAnalysis? known = options.Weights == LaplacianWeights.IntrinsicDelaunay ? null : analysis;
+        (SparseMatrix Matrix, Vector3D[] Right) equations = default;
+        Parallelism.Invoke(
+            () => known ??= CholeskyAnalysis.Of(places, Array.ConvertAll(free, v => positions[v])),
+            () => equations = Equations(mesh, positions, laplacian, index, free, options, result, cancellationToken));
+        analysis = known;
 
-        // Intrinsic Delaunay triangulations differ from step to step.
-        if (analysis is null || options.Weights == LaplacianWeights.IntrinsicDelaunay)
-            analysis = CholeskyAnalysis.Of(matrix, Array.ConvertAll(free, v => positions[v]));
-        Vector3D[] solution = new SparseCholesky(matrix, analysis, new CholeskyOptions { RelativeZero = 0 }, cancellationToken).Solve(right);
+        var factor = new SparseCholesky(equations.Matrix, known!, new CholeskyOptions { RelativeZero = 0 }, cancellationToken);
+        Vector3D[] solution = factor.Solve(equations.Right);
         for (int i = 0; i < free.Length; i++)
             result[free[i]] = solution[i];
         return result;
+    }
+
+    private static (SparseMatrix Matrix, Vector3D[] Right) Equations(
+        Mesh mesh, Vector3D[] positions, SparseMatrix laplacian, int[] index, int[] free, ImplicitSmoothingOptions options, Vector3D[] result, CancellationToken cancellationToken)
+    {
+        double[] mass = Masses(mesh, positions, out double[] cotangent);
+        if (options.Weights == LaplacianWeights.Cotangent)
+            Laplacian.Fill(laplacian, mesh, Laplacian.CotangentWeights(cotangent, double.NegativeInfinity));
+        double time = options.Time * MeanMass(mesh, mass);
+        if (options.Boundary == SmoothingBoundary.AlongCurve)
+            BoundaryCurves.Step(mesh, positions, time, result, cancellationToken);
+
+        SparseMatrix matrix = (free.Length == laplacian.Size ? laplacian : laplacian.Principal(index, free.Length))
+            .ScaleAndAdd(time, SparseMatrix.FromDiagonal(Array.ConvertAll(free, v => mass[v])));
+        var right = new Vector3D[free.Length];
+        Parallelism.ForBlocks(free.Length, (from, to) => FillRight(laplacian, positions, mass, time, index, free, result, right, from, to));
+
+        // A vertex with faces without area only has an empty row, and no mass to move by.
+        Span<double> diagonal = matrix.Diagonal;
+        for (int i = 0; i < free.Length; i++)
+        {
+            if (diagonal[i] == 0 && mass[free[i]] == 0)
+                (diagonal[i], right[i]) = (1, positions[free[i]]);
+        }
+        return (matrix, right);
+    }
+
+    // M x, and what is known already of the neighbours' new positions on this side.
+    private static void FillRight(
+        SparseMatrix laplacian, Vector3D[] positions, double[] mass, double time, int[] index, int[] free, Vector3D[] result, Vector3D[] right, int from, int to)
+    {
+        bool isAllFree = free.Length == laplacian.Size;
+        for (int i = from; i < to; i++)
+        {
+            int v = free[i];
+            right[i] = mass[v] * positions[v];
+            if (isAllFree)
+                continue;
+            for (int k = laplacian.RowStart[v]; k < laplacian.RowStart[v + 1]; k++)
+            {
+                int j = laplacian.Columns[k];
+                if (index[j] < 0)
+                    right[i] -= time * laplacian.Values[k] * result[j];
+            }
+        }
+    }
+
+    private static double[] Masses(Mesh mesh, Vector3D[] positions, out double[] cotangent)
+    {
+        cotangent = OppositeCotangents.Of(mesh, positions, out double[] doubleArea);
+        return MassMatrix.Lumped(mesh, cotangent, doubleArea, MassKind.Barycentric);
     }
 
     // The other weights are asked of a mesh, so they get one with these positions.
@@ -113,8 +144,8 @@ public static class ImplicitSmoothing
         return moved.ComputeLaplacian(weights);
     }
 
-    // A vertex with faces without area only has no mass to move by.
-    private static (int[] Index, int[] Free) NumberFree(Mesh mesh, double[] mass, SmoothingBoundary boundary)
+    // With weights that do not vanish with the areas, vertices without mass stay where they are.
+    private static (int[] Index, int[] Free) NumberFree(Mesh mesh, double[]? mass, SmoothingBoundary boundary)
     {
         var index = new int[mesh.VertexSlots];
         var free = new int[mesh.VertexSlots];
@@ -122,7 +153,7 @@ public static class ImplicitSmoothing
         for (int v = 0; v < index.Length; v++)
         {
             int h = mesh.outgoing[v];
-            bool isFree = h >= 0 && mass[v] > 0 && (boundary == SmoothingBoundary.Free || mesh.face[h] >= 0);
+            bool isFree = h >= 0 && (mass is null || mass[v] > 0) && (boundary == SmoothingBoundary.Free || mesh.face[h] >= 0);
             index[v] = isFree ? count : -1;
             if (isFree)
                 free[count++] = v;
