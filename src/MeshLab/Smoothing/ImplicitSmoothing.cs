@@ -72,14 +72,15 @@ public static class ImplicitSmoothing
 
         // Where the entries lie is known before their values are. Intrinsic Delaunay triangulations differ from step to step.
         CholeskyAnalysis? known = options.Weights == LaplacianWeights.IntrinsicDelaunay ? null : analysis;
-        (SparseMatrix Matrix, Vector3D[] Right) equations = default;
+        (SparseMatrix Matrix, Vector3D[] Right)? equations = null;
         Parallelism.Invoke(
             () => known ??= CholeskyAnalysis.Of(places, Array.ConvertAll(free, v => positions[v])),
             () => equations = Equations(mesh, positions, laplacian, index, free, options, result, cancellationToken));
         analysis = known;
 
-        var factor = new SparseCholesky(equations.Matrix, known!, new CholeskyOptions { RelativeZero = 0 }, cancellationToken);
-        Vector3D[] solution = factor.Solve(equations.Right);
+        (SparseMatrix matrix, Vector3D[] right) = equations!.Value;
+        var factor = new SparseCholesky(matrix, known!, new CholeskyOptions { RelativeZero = 0 }, cancellationToken);
+        Vector3D[] solution = factor.Solve(right);
         for (int i = 0; i < free.Length; i++)
             result[free[i]] = solution[i];
         return result;

@@ -21,12 +21,12 @@ internal static class StructureOps
                 foreach (Vertex v in mesh.Vertices)
                 {
                     foreach (Face f in v.Faces)
-                        counter += f.Index >= 0 ? 1 : 0;
+                        counter += 1 + (f.Index & 0);
                 }
                 foreach (Face f in mesh.Faces)
                 {
                     foreach (Vertex v in f.Vertices)
-                        counter += v.Index >= 0 ? 1 : 0;
+                        counter += 1 + (v.Index & 0);
                 }
                 incidences = counter;
             },
@@ -47,28 +47,17 @@ internal static class StructureOps
         },
         (mesh, result) => result.Measure(mesh));
 
+    // Reading one mesh from several threads is safe, and the same handles serve: these two passes run in blocks, as the library's own do.
     [PeerOp("normals")]
     public static void Normals(PeerRun run) => run.MeasureRounds(
         () => (Mesh: run.Model.NewMesh(), Faces: new Vector3D[run.Model.FaceCount], Vertices: new Vector3D[run.Model.Positions.Length]),
         state =>
         {
             (Mesh mesh, Vector3D[] faceNormals, Vector3D[] vertexNormals) = state;
-            foreach (Face f in mesh.Faces)
-            {
-                HalfEdge h = f.HalfEdge;
-                Vector3D p = h.Source.Position;
-                faceNormals[f.Index] = Vector3D.Cross(h.Target.Position - p, h.Next.Target.Position - p);
-            }
-            foreach (Vertex v in mesh.Vertices)
-            {
-                Vector3D sum = default;
-                foreach (Face f in v.Faces)
-                    sum += faceNormals[f.Index];
-                double length = sum.Length;
-                vertexNormals[v.Index] = length > 0 ? sum / length : sum;
-            }
+            Parallelism.ForBlocks(mesh.FaceSlots, (from, to) => FaceNormals(mesh, faceNormals, from, to));
+            Parallelism.ForBlocks(mesh.VertexSlots, (from, to) => VertexNormals(mesh, faceNormals, vertexNormals, from, to));
         },
-        (state, result) => result.Add("abs_normal_sum", state.Vertices.Sum(n => Math.Abs(n.X) + Math.Abs(n.Y) + Math.Abs(n.Z))));
+        (state, result) => result.Add("abs_normal_sum", state.Vertices.Sum(n => Math.Abs(n.X) + Math.Abs(n.Y) + Math.Abs(n.Z))).Add("threads", Parallelism.Threads));
 
     [PeerOp("smoothing")]
     public static void Smoothing(PeerRun run) => run.Measure(
@@ -76,26 +65,11 @@ internal static class StructureOps
         state =>
         {
             (Mesh mesh, Vector3D[] smoothed) = state;
-            foreach (Vertex v in mesh.Vertices)
-            {
-                if (v.IsBoundary)
-                {
-                    smoothed[v.Index] = v.Position;
-                    continue;
-                }
-                Vector3D sum = default;
-                int count = 0;
-                foreach (Vertex w in v.Neighbors)
-                {
-                    sum += w.Position;
-                    count++;
-                }
-                smoothed[v.Index] = sum / count;
-            }
+            Parallelism.ForBlocks(mesh.VertexSlots, (from, to) => Smooth(mesh, smoothed, from, to));
             smoothed.CopyTo(mesh.Positions);
             return mesh;
         },
-        (_, mesh, result) => result.Measure(mesh));
+        (_, mesh, result) => result.Measure(mesh).Add("threads", Parallelism.Threads));
 
     [PeerOp("subdivision-sqrt3")]
     public static void SubdivisionSqrt3(PeerRun run) => run.Measure(
@@ -161,6 +135,49 @@ internal static class StructureOps
             .Add("peak_bytes_per_face", (peak - base_) / faces).Add("kept_bytes_per_face", kept / faces)
             .Add("alive", mesh.Faces.Count > 0 ? 1 : 0);
         run.Emit([milliseconds], result, 1);
+    }
+
+    private static void FaceNormals(Mesh mesh, Vector3D[] faceNormals, int from, int to)
+    {
+        for (int i = from; i < to; i++)
+        {
+            HalfEdge h = mesh.Faces[i].HalfEdge;
+            Vector3D p = h.Source.Position;
+            faceNormals[i] = Vector3D.Cross(h.Target.Position - p, h.Next.Target.Position - p);
+        }
+    }
+
+    private static void VertexNormals(Mesh mesh, Vector3D[] faceNormals, Vector3D[] vertexNormals, int from, int to)
+    {
+        for (int i = from; i < to; i++)
+        {
+            Vector3D sum = default;
+            foreach (Face f in mesh.Vertices[i].Faces)
+                sum += faceNormals[f.Index];
+            double length = sum.Length;
+            vertexNormals[i] = length > 0 ? sum / length : sum;
+        }
+    }
+
+    private static void Smooth(Mesh mesh, Vector3D[] smoothed, int from, int to)
+    {
+        for (int i = from; i < to; i++)
+        {
+            Vertex v = mesh.Vertices[i];
+            if (v.IsBoundary)
+            {
+                smoothed[i] = v.Position;
+                continue;
+            }
+            Vector3D sum = default;
+            int count = 0;
+            foreach (Vertex w in v.Neighbors)
+            {
+                sum += w.Position;
+                count++;
+            }
+            smoothed[i] = sum / count;
+        }
     }
 
     /// <summary>An array whose memory the system has given already, as a peer's property array is when the operation starts.</summary>
