@@ -8,8 +8,8 @@ namespace MeshLab.Structure;
 [EditorBrowsable(EditorBrowsableState.Never)]
 public interface ITurn
 {
-    /// <summary>The first half-edge around the element, or a negative number if there is none.</summary>
-    static abstract int Start(Mesh mesh, int element);
+    /// <summary>The half-edge to begin with, from the one that the element refers to; a negative number if there is none.</summary>
+    static abstract int Start(Mesh mesh, int halfEdge);
 
     /// <summary>The column that a step reads.</summary>
     static abstract int[] Column(Mesh mesh);
@@ -38,11 +38,8 @@ public readonly struct CounterClockwise : ITurn
 {
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Start(Mesh mesh, int element)
-    {
-        int h = mesh.outgoing[element];
-        return h >= 0 && mesh.face[h] < 0 ? mesh.previous[h] ^ 1 : h;
-    }
+    public static int Start(Mesh mesh, int halfEdge) =>
+        halfEdge >= 0 && mesh.face[halfEdge] < 0 ? mesh.previous[halfEdge] ^ 1 : halfEdge;
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -58,7 +55,7 @@ public readonly struct Clockwise : ITurn
 {
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Start(Mesh mesh, int element) => mesh.outgoing[element];
+    public static int Start(Mesh mesh, int halfEdge) => halfEdge;
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -74,7 +71,7 @@ public readonly struct AroundFace : ITurn
 {
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Start(Mesh mesh, int element) => mesh.halfEdgeOf[element];
+    public static int Start(Mesh mesh, int halfEdge) => halfEdge;
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -90,7 +87,7 @@ public readonly struct AroundFaceClockwise : ITurn
 {
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int Start(Mesh mesh, int element) => mesh.previous[mesh.halfEdgeOf[element]];
+    public static int Start(Mesh mesh, int halfEdge) => mesh.previous[halfEdge];
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -217,10 +214,10 @@ public readonly struct Circulation<T, TTurn, TView> : IEnumerable<T>
     private readonly int start;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal Circulation(Mesh mesh, int element)
+    internal Circulation(Mesh mesh, int halfEdge)
     {
         this.mesh = mesh;
-        start = TTurn.Start(mesh, element);
+        start = TTurn.Start(mesh, halfEdge);
     }
 
     private Circulation(int start, Mesh mesh)

@@ -92,7 +92,7 @@ public readonly struct Edge : IEquatable<Edge>, IComparable<Edge>
     public void ThrowIfDead()
     {
         if (mesh is null || mesh.next[2 * index] < 0)
-            DeadElement.Throw(ToString());
+            DeadElement.Throw(this);
     }
 
     /// <inheritdoc/>

@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using System.Runtime.CompilerServices;
 using System.Globalization;
 
 namespace MeshLab.Structure;
@@ -22,8 +23,16 @@ public static class ElementName
 /// <summary>The error for a handle that is none or of a deleted element, kept out of the hot paths.</summary>
 internal static class DeadElement
 {
+    // One statement that throws: that is how the compiler sees that callers need not keep anything for afterwards.
     [DoesNotReturn]
-    public static void Throw(string name) => throw new ArgumentException(name == "none"
-        ? "The handle is none: it stands for no element."
-        : $"{name} is deleted.");
+    public static void Throw<THandle>(THandle handle)
+        where THandle : struct => throw Error(handle);
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static ArgumentException Error<THandle>(THandle handle)
+        where THandle : struct
+    {
+        string name = handle.ToString()!;
+        return new ArgumentException(name == "none" ? "The handle is none: it stands for no element." : $"{name} is deleted.");
+    }
 }

@@ -78,37 +78,38 @@ public readonly struct Face : IEquatable<Face>, IComparable<Face>
     public FaceTraits Traits => new(this);
 
     /// <summary>The vertices of the face, counter-clockwise from its first. F–V.</summary>
-    public Circulation<Vertex, AroundFace, SourceView> Vertices => new(mesh, LiveIndex);
+    public Circulation<Vertex, AroundFace, SourceView> Vertices => new(mesh, LiveHalfEdge);
 
     /// <summary>The half-edges of the face, counter-clockwise from the first.</summary>
-    public Circulation<HalfEdge, AroundFace, SelfView> HalfEdges => new(mesh, LiveIndex);
+    public Circulation<HalfEdge, AroundFace, SelfView> HalfEdges => new(mesh, LiveHalfEdge);
 
     /// <summary>The edges of the face, counter-clockwise. F–E.</summary>
-    public Circulation<Edge, AroundFace, EdgeView> Edges => new(mesh, LiveIndex);
+    public Circulation<Edge, AroundFace, EdgeView> Edges => new(mesh, LiveHalfEdge);
 
     /// <summary>The faces across its edges, counter-clockwise; a face that shares two edges appears twice. F–F.</summary>
-    public Circulation<Face, AroundFace, AcrossView> Neighbors => new(mesh, LiveIndex);
+    public Circulation<Face, AroundFace, AcrossView> Neighbors => new(mesh, LiveHalfEdge);
 
     /// <summary>The vertices clockwise from the first.</summary>
-    public Circulation<Vertex, AroundFaceClockwise, TargetView> VerticesClockwise => new(mesh, LiveIndex);
+    public Circulation<Vertex, AroundFaceClockwise, TargetView> VerticesClockwise => new(mesh, LiveHalfEdge);
 
     /// <summary>The half-edges clockwise, beginning with the previous of the first.</summary>
-    public Circulation<HalfEdge, AroundFaceClockwise, SelfView> HalfEdgesClockwise => new(mesh, LiveIndex);
+    public Circulation<HalfEdge, AroundFaceClockwise, SelfView> HalfEdgesClockwise => new(mesh, LiveHalfEdge);
 
-    private int LiveIndex
+    private int LiveHalfEdge
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get
         {
-            if (mesh is null || mesh.halfEdgeOf[index] < 0)
-                DeadElement.Throw(ToString());
-            return index;
+            int h = mesh is null ? -1 : mesh.halfEdgeOf[index];
+            if (h < 0)
+                DeadElement.Throw(this);
+            return h;
         }
     }
 
     /// <summary>Throws if the face is none or deleted.</summary>
     /// <exception cref="ArgumentException">The face is none or deleted.</exception>
-    public void ThrowIfDead() => _ = LiveIndex;
+    public void ThrowIfDead() => _ = LiveHalfEdge;
 
     /// <inheritdoc/>
     public bool Equals(Face other) => ReferenceEquals(mesh, other.mesh) && index == other.index;

@@ -77,7 +77,7 @@ public readonly struct HalfEdge : IEquatable<HalfEdge>, IComparable<HalfEdge>
     public void ThrowIfDead()
     {
         if (mesh is null || mesh.next[index] < 0)
-            DeadElement.Throw(ToString());
+            DeadElement.Throw(this);
     }
 
     /// <inheritdoc/>

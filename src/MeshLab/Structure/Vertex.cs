@@ -78,52 +78,54 @@ public readonly struct Vertex : IEquatable<Vertex>, IComparable<Vertex>
     public VertexTraits Traits => new(this);
 
     /// <summary>The vertices joined to this one by an edge, counter-clockwise; on the boundary from first to last without a jump. V–V.</summary>
-    public Circulation<Vertex, CounterClockwise, TargetView> Neighbors => new(mesh, LiveIndex);
+    public Circulation<Vertex, CounterClockwise, TargetView> Neighbors => new(mesh, LiveOutgoing);
 
     /// <summary>The neighbours clockwise.</summary>
-    public Circulation<Vertex, Clockwise, TargetView> NeighborsClockwise => new(mesh, LiveIndex);
+    public Circulation<Vertex, Clockwise, TargetView> NeighborsClockwise => new(mesh, LiveOutgoing);
 
     /// <summary>The half-edges that leave the vertex, counter-clockwise (h → h.Previous.Twin).</summary>
-    public Circulation<HalfEdge, CounterClockwise, SelfView> OutgoingHalfEdges => new(mesh, LiveIndex);
+    public Circulation<HalfEdge, CounterClockwise, SelfView> OutgoingHalfEdges => new(mesh, LiveOutgoing);
 
     /// <summary>The half-edges that leave the vertex, clockwise (h → h.Twin.Next).</summary>
-    public Circulation<HalfEdge, Clockwise, SelfView> OutgoingHalfEdgesClockwise => new(mesh, LiveIndex);
+    public Circulation<HalfEdge, Clockwise, SelfView> OutgoingHalfEdgesClockwise => new(mesh, LiveOutgoing);
 
     /// <summary>The half-edges that point to the vertex, counter-clockwise.</summary>
-    public Circulation<HalfEdge, CounterClockwise, TwinView> IncomingHalfEdges => new(mesh, LiveIndex);
+    public Circulation<HalfEdge, CounterClockwise, TwinView> IncomingHalfEdges => new(mesh, LiveOutgoing);
 
     /// <summary>The half-edges that point to the vertex, clockwise.</summary>
-    public Circulation<HalfEdge, Clockwise, TwinView> IncomingHalfEdgesClockwise => new(mesh, LiveIndex);
+    public Circulation<HalfEdge, Clockwise, TwinView> IncomingHalfEdgesClockwise => new(mesh, LiveOutgoing);
 
     /// <summary>The edges at the vertex, its spokes, counter-clockwise. V–E.</summary>
-    public Circulation<Edge, CounterClockwise, EdgeView> Edges => new(mesh, LiveIndex);
+    public Circulation<Edge, CounterClockwise, EdgeView> Edges => new(mesh, LiveOutgoing);
 
     /// <summary>The edges at the vertex clockwise.</summary>
-    public Circulation<Edge, Clockwise, EdgeView> EdgesClockwise => new(mesh, LiveIndex);
+    public Circulation<Edge, Clockwise, EdgeView> EdgesClockwise => new(mesh, LiveOutgoing);
 
     /// <summary>The faces at the vertex, counter-clockwise. V–F.</summary>
-    public Circulation<Face, CounterClockwise, FaceView> Faces => new(mesh, LiveIndex);
+    public Circulation<Face, CounterClockwise, FaceView> Faces => new(mesh, LiveOutgoing);
 
     /// <summary>The faces at the vertex clockwise.</summary>
-    public Circulation<Face, Clockwise, FaceView> FacesClockwise => new(mesh, LiveIndex);
+    public Circulation<Face, Clockwise, FaceView> FacesClockwise => new(mesh, LiveOutgoing);
 
     /// <summary>Whether an edge joins the two vertices. O(valence).</summary>
     public bool IsNeighborOf(Vertex other) => mesh.FindHalfEdge(index, other.index) >= 0;
 
-    private int LiveIndex
+    // −1 for an isolated vertex.
+    private int LiveOutgoing
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get
         {
-            if (mesh is null || mesh.outgoing[index] == Mesh.DeletedVertexMark)
-                DeadElement.Throw(ToString());
-            return index;
+            int h = mesh is null ? Mesh.DeletedVertexMark : mesh.outgoing[index];
+            if (h == Mesh.DeletedVertexMark)
+                DeadElement.Throw(this);
+            return h;
         }
     }
 
     /// <summary>Throws if the vertex is none or deleted.</summary>
     /// <exception cref="ArgumentException">The vertex is none or deleted.</exception>
-    public void ThrowIfDead() => _ = LiveIndex;
+    public void ThrowIfDead() => _ = LiveOutgoing;
 
     /// <inheritdoc/>
     public bool Equals(Vertex other) => ReferenceEquals(mesh, other.mesh) && index == other.index;
