@@ -8,13 +8,17 @@ internal static class Creases
     /// <summary>Lines turn at a corner by more than the angle with this cosine between the directions to both neighbours.</summary>
     private const double CornerCosine = -0.6;
 
+    // Faces that turn back on their neighbours: beyond 150°. Where more than this share of all edges does, the surface is crumpled, and what bends sharply is no feature.
+    private static readonly double FoldCosine = Math.Cos(150 * Math.PI / 180);
+    private const double FoldedShare = 0.05;
+
     /// <summary>Marks crease edges and vertex kinds; returns the lines' segments.</summary>
     /// <param name="mesh">The mesh to mark.</param>
     /// <param name="angle">Dihedral angle from which an edge is sharp, in radians.</param>
     /// <param name="noiseEdges">A connected set of sharp edges without a cycle and with at most so many edges is noise of a scan.</param>
     public static List<(int A, int B)> Mark(WorkMesh mesh, double angle, int noiseEdges)
     {
-        bool[] sharp = SharpEdges(mesh, Math.Cos(angle));
+        bool[] sharp = IsCrumpled(mesh) ? new bool[mesh.EdgeSlots] : SharpEdges(mesh, Math.Cos(angle));
         DropNoise(mesh, sharp, noiseEdges);
         var segments = new List<(int, int)>();
         var lines = new int[mesh.VertexSlots];
@@ -58,6 +62,9 @@ internal static class Creases
         }
         return sharp;
     }
+
+    /// <summary>Whether many faces turn back on their neighbours, as after random flips.</summary>
+    public static bool IsCrumpled(WorkMesh mesh) => SharpEdges(mesh, FoldCosine).Count(folded => folded) > FoldedShare * mesh.EdgeSlots;
 
     private static void DropNoise(WorkMesh mesh, bool[] sharp, int noiseEdges)
     {

@@ -111,7 +111,7 @@ public static class FiveSixSevenMeshing
         work.Trace = StepTrace.Into(options.Trace);
         InputSurface surface = SurfaceOf(work, options);
 
-        if (work.MeanQuality() < PoorQuality)
+        if (work.MeanQuality() < PoorQuality || Creases.IsCrumpled(work))
         {
             Tools tools = ToolsFor(work, surface, target, cancellationToken);
             tools.Shape.Remesh(target, 6, new(0.8, 0.1, 0.003));

@@ -29,7 +29,8 @@ public sealed record FiveSixSevenOptions
         }
     }
 
-    /// <summary>Edges with a larger dihedral angle than this are creases and stay, in radians. π for none.</summary>
+    /// <summary>Edges with a larger dihedral angle than this are creases and stay, in radians. π for none. A surface that is folded back on itself at more than a
+    /// twentieth of its edges has none.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The angle is not between 0 and π.</exception>
     public double FeatureAngle
     {

@@ -78,8 +78,9 @@ public static class IsotropicRemeshing
         StartOnInput(surface, input);
         double[] sizes = SizingField.Of(input, options, length * InnerLength);
         sizes.CopyTo(surface.Size, 0);
-        var lengths = new LengthSteps(surface, lines);
-        var flips = new ValenceFlips(surface);
+        FeatureSharpness? sharpness = lines.FeatureEdges > 0 ? new FeatureSharpness(surface, options.FeatureAngle) : null;
+        var lengths = new LengthSteps(surface, lines, sharpness);
+        var flips = new ValenceFlips(surface, sharpness);
         SurfaceProjection? projection = options.Projection
             ? new SurfaceProjection(input, options.HighQuality ? 0 : TrustedWalk * length * InnerLength)
             : null;
@@ -97,6 +98,7 @@ public static class IsotropicRemeshing
                 places = new Vector3D[surface.Positions.Length];
             bool byArea = options.HighQuality || pass >= options.Passes - PassesByArea || pass < options.Passes / LongRun;
             Move(surface, places, byArea, projection, lines);
+            sharpness?.TakeBackMoves(places);
             (surface.Positions, places) = (places, surface.Positions);
             surface.Trace?.Move("smooth", surface.Positions.AsSpan(0, surface.VertexSlots));
             if (options.CurvatureTolerance is not null)

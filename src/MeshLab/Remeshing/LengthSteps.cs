@@ -3,7 +3,7 @@ using MeshLab.Numerics;
 namespace MeshLab.Remeshing;
 
 /// <summary>The first two steps: long edges are split (分裂长边), short ones are collapsed (合并短边).</summary>
-internal sealed class LengthSteps(RemeshSurface s, FeatureLines lines)
+internal sealed class LengthSteps(RemeshSurface s, FeatureLines lines, FeatureSharpness? sharpness)
 {
     /// <summary>Edges longer than this times the length wanted are split, and no collapse may make one.</summary>
     public const double Long = 1.4;
@@ -106,6 +106,8 @@ internal sealed class LengthSteps(RemeshSurface s, FeatureLines lines)
         if (onLine && !lines.AllowsChord(s.Positions[OtherLineNeighbor(u, h)], position, s.Positions[u]))
             return false;
         if (!RingAllows(u, h, position) || (free && !RingAllows(v, h, position)) || !s.CanCollapse(h))
+            return false;
+        if (sharpness is not null && !sharpness.AllowsCollapse(h, position))
             return false;
         s.Collapse(h, position);
         return true;

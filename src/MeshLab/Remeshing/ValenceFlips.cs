@@ -7,7 +7,7 @@ namespace MeshLab.Remeshing;
 /// Every flip lowers Σ (valence − ideal)², or keeps it and makes the edge locally Delaunay, so the step ends. After a flip the four edges
 /// around it are looked at again.
 /// </remarks>
-internal sealed class ValenceFlips(RemeshSurface s)
+internal sealed class ValenceFlips(RemeshSurface s, FeatureSharpness? sharpness)
 {
     private static readonly double LargestDihedralCosine = Math.Cos(30 * Math.PI / 180);
 
@@ -43,6 +43,8 @@ internal sealed class ValenceFlips(RemeshSurface s)
             return;
         int a = s.Target[t], b = s.Target[h], c = s.Target[s.Next[h]], d = s.Target[s.Next[t]];
         if (!(IsPoor(a, b, c, d) ? RemovesPoor(a, b, c, d) : Improves(a, b, c, d) && ShapeAllows(a, b, c, d)) || !s.CanFlip(h))
+            return;
+        if (sharpness is not null && !sharpness.AllowsFlip(h))
             return;
         s.Flip(h);
         Flips++;

@@ -138,6 +138,21 @@ public class FiveSixSevenTests
     }
 
     [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void ToFiveSixSeven_Crumpled_TakesItsFoldsForNoFeatures(int seed)
+    {
+        // Folds that were kept would leave nothing to repair but by cutting every face into nine.
+        Mesh mesh = PathologicalMeshes.Wrecked(Models.Sphere(30, 40), seed);
+        FiveSixSevenResult result = mesh.ToFiveSixSeven();
+        CheckTopology(mesh, result);
+        Assert.False(result.UsedLastResort);
+        Assert.InRange(result.Walks, 0, 5000);
+        Assert.InRange(result.Mesh.Faces.Count / (double)mesh.Faces.Count, 0.995, 1.005);
+        Assert.InRange(result.Mesh.ComputeFaceQualities().Average(), 0.85, 1);
+    }
+
+    [Theory]
     [InlineData(1e-6, 0)]
     [InlineData(1e6, 0)]
     [InlineData(1, 1e6)]
