@@ -21,6 +21,6 @@ public static class Section_7_3
             rows.Add([measure, copy.Faces.Count, result.MaxError, distance.SymmetricRms / distance.Diagonal]);
             output.Picture(measure.ToString(), copy);
         }
-        output.Table("element deletion", ["first goes", "faces", "largest removed", "rms / diagonal"], rows);
+        output.Table("element deletion", ["first goes", "faces", "largest removed (length, area, angle)", "rms / diagonal"], rows);
     }
 }

@@ -17,13 +17,13 @@ public static class Section_8_1
         foreach (int steps in (int[])[1, 2, 3])
         {
             Mesh finer = LoopSubdivision.Subdivide(coarse, new SubdivisionOptions { Steps = steps });
-            output.Line($"{steps} steps: {finer.Vertices.Count} vertices, {finer.Faces.Count} faces");
+            output.Line($"{steps} step{(steps > 1 ? "s" : "")}: {finer.Vertices.Count} vertices, {finer.Faces.Count} faces");
             output.Picture($"steps {steps}", finer, new RenderOptions { Wireframe = steps < 3, Shading = steps < 3 ? Shading.Flat : Shading.Smooth });
         }
 
         LimitPoints limit = LimitSurface.OfLoop(coarse);
         double farthest = coarse.Vertices.Max(v => (limit.Positions[v.Index] - v.Position).Length);
-        output.Line($"no vertex moves farther than {farthest} on its way to the limit");
+        output.Line($"no vertex moves farther than {farthest:G4} on its way to the limit");
 
         Mesh cube = Prisms.Cube();
         // The square around the top; the longer diagonal is none of its sides.

@@ -16,7 +16,7 @@ public static class Section_8_3
         foreach (int steps in (int[])[1, 2, 3, 4])
         {
             Mesh finer = Sqrt3Subdivision.Subdivide(coarse, new SubdivisionOptions { Steps = steps });
-            output.Line($"{steps} steps: {finer.Faces.Count} faces = {coarse.Faces.Count} · 3^{steps}");
+            output.Line($"{steps} step{(steps > 1 ? "s" : "")}: {finer.Faces.Count} faces = {coarse.Faces.Count} · 3^{steps}");
             output.Picture($"steps {steps}", finer, new RenderOptions { Wireframe = steps < 4, Shading = Shading.Flat });
         }
         foreach (int steps in (int[])[1, 2])

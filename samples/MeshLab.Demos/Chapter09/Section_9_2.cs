@@ -1,4 +1,5 @@
 using MeshLab.Demos.Hosting;
+using MeshLab.Editing;
 using MeshLab.FiveSixSeven;
 using MeshLab.Structure;
 using MeshLab.Visualization;
@@ -11,6 +12,12 @@ public static class Section_9_2
 {
     public static void Run(Mesh mesh, DemoOutput output)
     {
+        if (!mesh.CountInnerValences().ContainsKey(3))
+        {
+            output.Line($"no inner vertex has valence 3: one is put into every hundredth face");
+            foreach (Face face in mesh.Faces.Where(f => f.Index % 100 == 0).ToArray())
+                face.Split();
+        }
         ValenceTable.Show(output, "before", mesh);
         output.Line($"{mesh.RaiseValenceThree()} edges split");
         ValenceTable.Show(output, "after", mesh);

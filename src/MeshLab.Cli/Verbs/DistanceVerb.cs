@@ -29,6 +29,8 @@ internal sealed class DistanceVerb : Verb
 
     public override void Run(VerbContext context)
     {
+        if (context.Get(samples) < 1)
+            throw new UsageException($"--samples {context.Get(samples)}: not positive");
         Mesh a = context.ReadMesh(context.Get(first)), b = context.ReadMesh(context.Get(second));
         if (a.Faces.Count == 0 || b.Faces.Count == 0)
             throw new RefusedException("a mesh without faces has no distance from anything");

@@ -33,6 +33,10 @@ internal sealed class FiveSixSevenVerb : Verb
 
     public override void Run(VerbContext context)
     {
+        if (context.Has(faces) && context.Get(faces) <= 0)
+            throw new UsageException($"--faces {context.Get(faces)}: not positive");
+        if (!(context.Get(featureAngle) is >= 0 and <= 180))
+            throw new UsageException(FormattableString.Invariant($"--feature-angle {context.Get(featureAngle)}: not in [0, 180]"));
         Mesh mesh = context.ReadMesh(context.Get(input));
         using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
         var options = new FiveSixSevenOptions

@@ -36,6 +36,7 @@ internal sealed class RemeshVerb : Verb
 
     public override void Run(VerbContext context)
     {
+        CheckOptions(context);
         Mesh mesh = context.ReadMesh(context.Get(input));
         using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
         (Mesh result, RemeshingStop stop, double length) =
@@ -58,6 +59,21 @@ internal sealed class RemeshVerb : Verb
             .Add("angle", new ResultFields().Add("min", quality.SmallestAngle).Add("mean", quality.MeanSmallestAngle));
     }
 
+    private void CheckOptions(VerbContext context)
+    {
+        if (context.Has(edgeLength) && context.Has(relative))
+            throw new UsageException("--edge-length and --relative exclude each other");
+        foreach (Option<double> option in (Option<double>[])[edgeLength, relative, curvatureTolerance])
+        {
+            if (context.Has(option) && !(context.Get(option) > 0 && double.IsFinite(context.Get(option))))
+                throw new UsageException(FormattableString.Invariant($"{option.Name} {context.Get(option)}: not a positive number"));
+        }
+        if (context.Get(iterations) < 1)
+            throw new UsageException($"--iterations {context.Get(iterations)}: not positive");
+        if (!(context.Get(featureAngle) is > 0 and <= 180))
+            throw new UsageException(FormattableString.Invariant($"--feature-angle {context.Get(featureAngle)}: not in (0, 180]"));
+    }
+
     private (Mesh Mesh, RemeshingStop Stop, double EdgeLength) Remesh(Mesh mesh, TextWriter? lines, VerbContext context)
     {
         var options = new RemeshingOptions
@@ -65,7 +81,7 @@ internal sealed class RemeshVerb : Verb
             EdgeLength = context.Has(edgeLength) ? context.Get(edgeLength) : null,
             RelativeLength = context.Get(relative),
             Passes = context.Get(iterations),
-            FeatureAngle = Math.Min(Math.PI, context.Get(featureAngle) * Math.PI / 180),
+            FeatureAngle = double.DegreesToRadians(context.Get(featureAngle)),
             Projection = !context.Get(noProjection),
             HighQuality = context.Get(highQuality),
             CurvatureTolerance = context.Has(curvatureTolerance) ? context.Get(curvatureTolerance) : null,

@@ -154,7 +154,7 @@ internal sealed class SimplifyVerb : Verb
             return mesh;
         }
         ClusteringResult result = context.Time(() => mesh.ClusterVertices(options, context.Progress("clustering"), context.CancellationToken));
-        context.Result.Add("stopReason", "cells").Add("cells", result.Cells).Add("collapsedFaces", result.CollapsedFaces)
+        context.Result.Add("stopReason", NameOf(result.StopReason)).Add("maxError", result.MaxError).Add("cells", result.Cells).Add("collapsedFaces", result.CollapsedFaces)
             .Add("duplicateFaces", result.DuplicateFaces).Add("skippedFaces", result.Report.Repairs.Count);
         return result.Mesh;
     }
@@ -166,13 +166,16 @@ internal sealed class SimplifyVerb : Verb
     }
 
     private static void Report(VerbContext context, SimplificationResult result) => context.Result
-        .Add("stopReason", result.StopReason switch
-        {
-            StopReason.TargetReached => "target-reached",
-            StopReason.MaxErrorReached => "max-error-reached",
-            _ => "nothing-collapsible",
-        })
+        .Add("stopReason", NameOf(result.StopReason))
         .Add("maxError", result.MaxError)
         .Add("collapses", result.Collapses)
         .Add("refused", result.Refusals.Total);
+
+    private static string NameOf(StopReason reason) => reason switch
+    {
+        StopReason.TargetReached => "target-reached",
+        StopReason.MaxErrorReached => "max-error-reached",
+        StopReason.CellsDone => "cells",
+        _ => "nothing-collapsible",
+    };
 }

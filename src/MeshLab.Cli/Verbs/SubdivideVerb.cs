@@ -58,17 +58,18 @@ internal sealed class SubdivideVerb : Verb
         };
         IProgress<double>? progress = context.Progress("subdividing");
         int creases = 0;
+        SubdivisionReport? report = null;
         Mesh finer = context.Time(() =>
         {
             if (context.Get(creaseAngle) is { } degrees)
                 creases = Creases.SetByAngle(mesh, degrees * Math.PI / 180);
-            Mesh result = mesh.Subdivide(SchemeOf(name), options, progress, context.CancellationToken);
+            Mesh result = mesh.Subdivide(SchemeOf(name), options, out report, progress, context.CancellationToken);
             if (context.Get(limit))
                 MoveToLimit(result, name, options.Weights);
             return result;
         });
         context.WriteMesh(finer, context.Get(output));
-        context.Result.Add("scheme", name).Add("steps", options.Steps).Add("limit", context.Get(limit));
+        context.Result.Add("stopReason", report!.StopReason == SubdivisionStop.StepsDone ? "steps-done" : "nothing-to-do").Add("scheme", name).Add("steps", options.Steps).Add("limit", context.Get(limit));
         if (context.Get(creaseAngle) is not null)
             context.Result.Add("creases", creases);
     }

@@ -71,7 +71,7 @@ public enum FiveSixSevenStop
     /// <summary>The valences are right, but no step towards the number of faces is left that keeps them and the shape.</summary>
     CountOutOfReach,
 
-    /// <summary>There are no faces.</summary>
+    /// <summary>There are no faces, or (in the book's step of simplification) no more than asked for.</summary>
     NothingToDo,
 }
 

@@ -22,14 +22,17 @@ public static class HighValence
     extension(Mesh mesh)
     {
         /// <summary>Splits every inner vertex of valence above 7, in the fresh ring that <c>SplitFacesIntoNine</c> made around it.</summary>
+        /// <param name="progress">Told from 0 to 1 how far it is.</param>
+        /// <param name="cancellationToken">Ends the work between two operations; the mesh is valid.</param>
         /// <returns>The number of splits.</returns>
         /// <exception cref="ArgumentException">A face is not a triangle.</exception>
-        public int LowerHighValences()
+        public int LowerHighValences(IProgress<double>? progress = null, CancellationToken cancellationToken = default)
         {
             Steps.RequireTriangles(mesh);
             int splits = 0, vertices = mesh.VertexSlots;
             for (int i = 0; i < vertices; i++)
             {
+                Steps.Check(i, vertices, progress, cancellationToken);
                 Vertex v = mesh.Vertices[i];
                 if (v.IsDeleted || !Steps.IsInner(v))
                     continue;
@@ -44,6 +47,7 @@ public static class HighValence
                     splits++;
                 }
             }
+            progress?.Report(1);
             return splits;
         }
     }

@@ -21,12 +21,14 @@ public static class NineSplit
     {
         /// <summary>Cuts every triangle into nine. Old vertices keep their order, then two per edge, then one per face. Edge traits named
         /// <c>crease</c> go along; other traits do not.</summary>
+        /// <param name="progress">Told from 0 to 1 how far it is.</param>
+        /// <param name="cancellationToken">Ends the work; the mesh is not changed anyway.</param>
         /// <exception cref="ArgumentException">A face is not a triangle, or the result would be too large.</exception>
-        public Mesh SplitFacesIntoNine()
+        public Mesh SplitFacesIntoNine(IProgress<double>? progress = null, CancellationToken cancellationToken = default)
         {
             Steps.RequireTriangles(mesh);
             if (mesh.Faces.Count > int.MaxValue / 54)
-                throw new ArgumentException($"Nine times {mesh.Faces.Count} faces are too many.", nameof(mesh));
+                throw new ArgumentException($"Nine times {mesh.Faces.Count} faces are too many.");
             var positions = new List<Vector3D>();
             var number = new int[mesh.VertexSlots];
             foreach (Vertex v in mesh.Vertices)
@@ -36,8 +38,10 @@ public static class NineSplit
                 nearSource[h.Index] = Add(Vector3D.Lerp(h.Source.Position, h.Target.Position, 1 / 3.0));
 
             var corners = new List<int>(27 * mesh.Faces.Count);
+            int done = 0;
             foreach (Face f in mesh.Faces)
             {
+                Steps.Check(done++, 2 * mesh.Faces.Count, progress, cancellationToken);
                 int center = Add(Center(f));
                 foreach (HalfEdge h in f.HalfEdges)
                 {
@@ -47,6 +51,7 @@ public static class NineSplit
             }
             Mesh result = MeshBuilder.FromTriangles([.. positions], [.. corners]);
             CopyCreases(mesh, result, number, nearSource);
+            progress?.Report(1);
             return result;
 
             int Add(Vector3D p)

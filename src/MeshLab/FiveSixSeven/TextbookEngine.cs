@@ -17,17 +17,16 @@ internal static class TextbookEngine
         var trace = StepTrace.Into(options.Trace);
         using (OperationTrace.Of(mesh, trace))
         {
-            mesh.RaiseValenceThree();
-            mesh.RaiseValenceFour();
+            mesh.RaiseValenceThree(null, cancellationToken);
+            mesh.RaiseValenceFour(null, cancellationToken);
         }
-        cancellationToken.ThrowIfCancellationRequested();
-        mesh = mesh.SplitFacesIntoNine();
+        mesh = mesh.SplitFacesIntoNine(null, cancellationToken);
         trace?.Remake("nineSplit", mesh);
         using (OperationTrace.Of(mesh, trace))
         {
-            mesh.LowerHighValences();
+            mesh.LowerHighValences(null, cancellationToken);
             progress?.Report(0.2);
-            mesh.SimplifyKeepingValences(target, cancellationToken);
+            mesh.SimplifyKeepingValences(target, null, cancellationToken);
         }
         mesh.Compact();
         trace?.Remake("compact", mesh);

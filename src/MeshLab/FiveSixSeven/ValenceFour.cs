@@ -21,14 +21,17 @@ public static class ValenceFour
     extension(Mesh mesh)
     {
         /// <summary>Raises every inner vertex of valence 4 to 5 or more; there must be none of valence 3.</summary>
+        /// <param name="progress">Told from 0 to 1 how far it is.</param>
+        /// <param name="cancellationToken">Ends the work between two operations; the mesh is valid.</param>
         /// <returns>The number of triangles replaced.</returns>
         /// <exception cref="ArgumentException">A face is not a triangle.</exception>
-        public int RaiseValenceFour()
+        public int RaiseValenceFour(IProgress<double>? progress = null, CancellationToken cancellationToken = default)
         {
             Steps.RequireTriangles(mesh);
             int replaced = 0;
             for (int i = 0; i < mesh.VertexSlots; i++)
             {
+                Steps.Check(i, mesh.VertexSlots, progress, cancellationToken);
                 Vertex v = mesh.Vertices[i];
                 if (v.IsDeleted)
                     continue;
@@ -38,6 +41,7 @@ public static class ValenceFour
                     replaced++;
                 }
             }
+            progress?.Report(1);
             return replaced;
         }
     }

@@ -4,6 +4,12 @@ using MeshLab.Structure;
 
 namespace MeshLab.FiveSixSeven;
 
+/// <summary>What <see cref="ValenceSimplification"/> did.</summary>
+/// <param name="StopReason">Why it ended.</param>
+/// <param name="Collapses">Edges contracted.</param>
+/// <param name="Flips">Edges flipped.</param>
+public readonly record struct ValenceSimplificationResult(FiveSixSevenStop StopReason, int Collapses, int Flips);
+
 /// <summary>§9.6 简化: collapses that keep every valence between 5 and 7, and flips that make room for more of them.</summary>
 /// <remarks>
 /// An edge is collapsed if val + val &lt; 12, so that the merged vertex has at most 7, both apexes have more than 5, and the collapse is legal and turns
@@ -24,16 +30,18 @@ public static class ValenceSimplification
     {
         /// <summary>Simplifies a 5-6-7 mesh towards a number of faces; valences stay in 5, 6, 7.</summary>
         /// <param name="targetFaces">The number of faces to stop at.</param>
-        /// <param name="cancellationToken">Ends the work between two operations.</param>
-        /// <returns>The number of collapses and of flips.</returns>
+        /// <param name="progress">Told from 0 to 1 how far it is.</param>
+        /// <param name="cancellationToken">Ends the work between two operations; the mesh is valid.</param>
+        /// <returns>The number of collapses and of flips, and whether the number of faces was reached.</returns>
         /// <exception cref="ArgumentException">A face is not a triangle.</exception>
         /// <exception cref="ArgumentOutOfRangeException">The number of faces is negative.</exception>
-        public (int Collapses, int Flips) SimplifyKeepingValences(int targetFaces, CancellationToken cancellationToken = default)
+        public ValenceSimplificationResult SimplifyKeepingValences(
+            int targetFaces, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
         {
             Steps.RequireTriangles(mesh);
             ArgumentOutOfRangeException.ThrowIfNegative(targetFaces);
             EdgeTrait<int> crease = mesh.TryGetEdgeTrait(CreaseTrait, out EdgeTrait<int>? found) ? found : AddCreaseTrait(mesh);
-            (int collapses, int flips) total = default;
+            int first = mesh.Faces.Count, collapses = 0, flips = 0;
             for (int round = 0; round < MaxRounds && mesh.Faces.Count > targetFaces; round++)
             {
                 int before = mesh.Faces.Count;
@@ -45,14 +53,19 @@ public static class ValenceSimplification
                     if (e.IsDeleted)
                         continue;
                     if (TryCollapse(e, crease))
-                        total.collapses++;
+                        collapses++;
                     else if (TryFlip(e, crease))
-                        total.flips++;
+                        flips++;
                 }
+                progress?.Report((double)(first - mesh.Faces.Count) / (first - targetFaces));
                 if (before - mesh.Faces.Count < before / 200)
                     break;
             }
-            return total;
+            progress?.Report(1);
+            FiveSixSevenStop stop = first <= targetFaces ? FiveSixSevenStop.NothingToDo
+                : mesh.Faces.Count <= targetFaces ? FiveSixSevenStop.Reached
+                : FiveSixSevenStop.CountOutOfReach;
+            return new(stop, collapses, flips);
         }
     }
 

@@ -43,7 +43,7 @@ public static class IsotropicRemeshing
         /// <param name="options">What to do; null for five passes at the mean edge length, without features.</param>
         /// <param name="progress">Told from 0 to 1 how far it is.</param>
         /// <param name="cancellationToken">Ends the work; this mesh is never changed.</param>
-        /// <exception cref="ArgumentException">A face is not a triangle; it is named.</exception>
+        /// <exception cref="ArgumentException">A face is not a triangle (it is named), or the result would have more faces than the budget.</exception>
         /// <exception cref="OperationCanceledException">The work was cancelled.</exception>
         public RemeshingResult RemeshIsotropically(
             RemeshingOptions? options = null, IProgress<double>? progress = null, CancellationToken cancellationToken = default) =>
@@ -55,7 +55,7 @@ public static class IsotropicRemeshing
     /// <param name="options">What to do; null for five passes at the mean edge length, without features.</param>
     /// <param name="progress">Told from 0 to 1 how far it is.</param>
     /// <param name="cancellationToken">Ends the work.</param>
-    /// <exception cref="ArgumentException">A face is not a triangle; it is named.</exception>
+    /// <exception cref="ArgumentException">A face is not a triangle (it is named), or the result would have more faces than the budget.</exception>
     /// <exception cref="OperationCanceledException">The work was cancelled.</exception>
     public static RemeshingResult Remesh(
         Mesh mesh, RemeshingOptions? options = null, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
@@ -73,6 +73,8 @@ public static class IsotropicRemeshing
         if (input.Faces.Count == 0 || !(length > 0))
             return new(input.Clone(), RemeshingStop.NothingToDo, length, 0, 0, 0, 0, 0, 0);
 
+        if (RemeshingOptions.BeyondBudget(input, length, options.FaceBudget) is { } beyond)
+            throw new ArgumentException(beyond, nameof(options));
         var surface = new RemeshSurface(input) { Trace = StepTrace.Into(options.Trace) };
         FeatureLines lines = FeatureLines.Mark(input, surface, options.FeatureAngle, length);
         StartOnInput(surface, input);

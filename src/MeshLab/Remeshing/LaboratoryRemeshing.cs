@@ -79,7 +79,7 @@ public static class LaboratoryRemeshing
         /// <param name="options">How; null for the script's five passes.</param>
         /// <param name="progress">Told from 0 to 1 how far it is.</param>
         /// <param name="cancellationToken">Ends the work; the mesh stays valid as it is then.</param>
-        /// <exception cref="ArgumentException">A face is not a triangle; it is named.</exception>
+        /// <exception cref="ArgumentException">A face is not a triangle (it is named), or more than 50 million faces would come out.</exception>
         /// <exception cref="OperationCanceledException">The work was cancelled.</exception>
         public LaboratoryRemeshingResult RemeshInLaboratory(
             LaboratoryRemeshingOptions? options = null, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
@@ -87,6 +87,8 @@ public static class LaboratoryRemeshing
             mesh.RequireTriangles(nameof(mesh));
             options ??= new();
             double length = options.EdgeLength ?? mesh.MeanEdgeLength;
+            if (length > 0 && RemeshingOptions.BeyondBudget(mesh, length, RemeshingOptions.DefaultFaceBudget) is { } beyond)
+                throw new ArgumentException(beyond, nameof(options));
             int splits = 0, collapses = 0, flips = 0, refused = 0;
             using OperationTrace? trace = OperationTrace.Of(mesh, StepTrace.Into(options.Trace));
             for (int pass = 0; pass < options.Passes && length > 0; pass++)

@@ -1,3 +1,5 @@
+using MeshLab.Geometry;
+
 namespace MeshLab.Remeshing;
 
 /// <summary>What <see cref="IsotropicRemeshing"/> should do.</summary>
@@ -93,6 +95,29 @@ public sealed record RemeshingOptions
         }
     }
     = 0.2;
+
+    /// <summary>The most faces that the result may have, reckoned from area and length; more is refused before anything is allocated.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not positive.</exception>
+    public long FaceBudget
+    {
+        get;
+        init
+        {
+            ArgumentOutOfRangeException.ThrowIfNegativeOrZero(value, nameof(FaceBudget));
+            field = value;
+        }
+    }
+    = DefaultFaceBudget;
+
+    internal const long DefaultFaceBudget = 50_000_000;
+
+    /// <summary>What to say if equilateral triangles of that length on the mesh's surface, or edges of it along the mesh's edges, are more than a budget; else null.</summary>
+    internal static string? BeyondBudget(Structure.Mesh mesh, double length, long budget)
+    {
+        double area = mesh.Faces.Sum(f => f.Area), edges = mesh.Edges.Sum(e => e.Length);
+        double faces = Math.Max(area / (Math.Sqrt(3) / 4 * length * length), edges / length);
+        return faces <= budget ? null : FormattableString.Invariant($"Edges of length {length:G6} would make about {faces:G3} faces; the budget is {budget}.");
+    }
 
     /// <summary>Takes the step trace: a line of JSON per split, collapse and flip, and per smoothing; <see langword="null"/> for none.</summary>
     public TextWriter? Trace { get; init; }

@@ -44,6 +44,9 @@ public sealed class ProgressiveMesh
     /// <summary>Faces of the finest level that is known: of the original, or while a stream is read, of what was read so far.</summary>
     public int MaxFaces { get; private set; }
 
+    /// <summary>What the recording did, and why it ended; <see langword="null"/> for one that was read from a file.</summary>
+    public SimplificationResult? Recording { get; private set; }
+
     /// <summary>Whether the finest level is the original: always, but while a stream is read.</summary>
     public bool IsComplete => firstKnown == 0;
 
@@ -73,7 +76,11 @@ public sealed class ProgressiveMesh
         var contraction = new EdgeContraction(copy, options, traits, LogGroup.Of(log, TraceLog.For(options.Trace)), progress, cancellationToken);
         QuadricErrorMetric.Contract(contraction, options, target);
         cancellationToken.ThrowIfCancellationRequested();
-        return Record(copy, contraction.Working, log, traits);
+        SimplificationResult report = QuadricErrorMetric.Report(contraction, target, copy.Faces.Count);
+        ProgressiveMesh result = Record(copy, contraction.Working, log, traits);
+        result.Recording = report;
+        progress?.Report(1);
+        return result;
     }
 
     /// <summary>Goes down, or up, to the level nearest to a number of faces that does not exceed it.</summary>

@@ -100,7 +100,7 @@ public static class QuadricErrorMetric
         return report;
     }
 
-    private static SimplificationResult Report(EdgeContraction contraction, int target, int before)
+    internal static SimplificationResult Report(EdgeContraction contraction, int target, int before)
     {
         RefusalCounts refusals = contraction.CountRefusals();
         int after = contraction.Working.FaceCount;

@@ -11,6 +11,9 @@ public enum StopReason
 
     /// <summary>No edge is left that may be contracted; <see cref="SimplificationResult.Refusals"/> says why not.</summary>
     NothingCollapsible,
+
+    /// <summary>Clustering: every cell with vertices has one.</summary>
+    CellsDone,
 }
 
 /// <summary>How many edges were refused at the end, by the first reason that forbids each.</summary>
@@ -29,7 +32,7 @@ public readonly record struct RefusalCounts(int Topology, int Constraint, int Fl
 /// <param name="FacesBefore">Faces of the input.</param>
 /// <param name="FacesAfter">Faces of the result.</param>
 /// <param name="Collapses">Edges contracted.</param>
-/// <param name="MaxError">The largest error of a contraction, in model units (see <see cref="QuadricOptions.MaxError"/>).</param>
+/// <param name="MaxError">The largest error of a contraction, in model units (see <see cref="QuadricOptions.MaxError"/>); of clustering, the longest edge contracted.</param>
 /// <param name="Refusals">Edges that were waiting as refused when it ended.</param>
 public sealed record SimplificationResult(
     StopReason StopReason, int FacesBefore, int FacesAfter, int Collapses, double MaxError, RefusalCounts Refusals);

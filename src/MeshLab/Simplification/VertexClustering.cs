@@ -57,7 +57,10 @@ public sealed record ClusteringOptions
 /// <param name="CollapsedFaces">Faces that fell into a point or a line.</param>
 /// <param name="DuplicateFaces">Faces on the same three cells as an earlier one.</param>
 /// <param name="Report">What the builder did with faces that are no manifold together.</param>
-public sealed record ClusteringResult(Mesh Mesh, int Cells, int CollapsedFaces, int DuplicateFaces, BuildReport Report);
+/// <param name="StopReason">Why it ended: always because every cell has one vertex.</param>
+/// <param name="MaxError">The longest way from a vertex to what stands for its cell, in model units.</param>
+public sealed record ClusteringResult(
+    Mesh Mesh, int Cells, int CollapsedFaces, int DuplicateFaces, BuildReport Report, StopReason StopReason, double MaxError);
 
 /// <summary>§7.1 顶点聚类 (vertex clustering): all vertices in one cell of a grid become one.</summary>
 /// <remarks>
@@ -107,7 +110,7 @@ public static class VertexClustering
             var soup = new PolygonSoup(positions, PolygonSoup.TriangleStarts(corners.Length, nameof(mesh)), corners);
             Mesh result = MeshBuilder.FromSoup(soup, options.NonManifold, out BuildReport report);
             progress?.Report(1);
-            return new(result, cells, parts.Sum(part => part.CollapsedFaces), duplicates, report);
+            return new(result, cells, parts.Sum(part => part.CollapsedFaces), duplicates, report, StopReason.CellsDone, LongestWay(mesh, cellOf, positions));
 
             void Report(double done)
             {
@@ -117,7 +120,7 @@ public static class VertexClustering
         }
 
         /// <summary>The book's form: contracts edges within a cell, as long as that is legal, to the mean of their vertices. Changes the mesh and keeps its topology.</summary>
-        /// <returns>What was done; <see cref="StopReason.NothingCollapsible"/>, since it ends when no edge within a cell can be contracted.</returns>
+        /// <returns>What was done; <see cref="StopReason.CellsDone"/>, or <see cref="StopReason.NothingCollapsible"/> if edges within a cell are left that cannot be contracted.</returns>
         /// <exception cref="ArgumentException">Neither size nor number of cells is set, or the cells are too small to be numbered.</exception>
         /// <exception cref="OperationCanceledException">Cancelled; the mesh is valid, simplified so far.</exception>
         public SimplificationResult CollapseCells(
@@ -127,6 +130,7 @@ public static class VertexClustering
             SimplificationInput.CheckTriangles(mesh);
             int[] cellOf = CellGrid.For(mesh, options).NumberCells(mesh, out _);
             int before = mesh.Faces.Count, collapses = 0, refused, done;
+            double longest = 0;
             TraceLog? trace = TraceLog.For(options.Trace);
             var members = new int[mesh.VertexSlots];
             Array.Fill(members, 1);
@@ -153,6 +157,7 @@ public static class VertexClustering
                     }
                     trace?.Write(e, v, u, length, mean);
                     members[v] += members[u];
+                    longest = Math.Max(longest, length);
                     done++;
                 }
                 collapses += done;
@@ -161,7 +166,7 @@ public static class VertexClustering
             if (mesh.Listener is null)
                 mesh.Compact();
             progress?.Report(1);
-            return new(StopReason.NothingCollapsible, before, mesh.Faces.Count, collapses, 0, new(refused, 0, 0, 0));
+            return new(refused > 0 ? StopReason.NothingCollapsible : StopReason.CellsDone, before, mesh.Faces.Count, collapses, longest, new(refused, 0, 0, 0));
         }
     }
 
@@ -180,6 +185,18 @@ public static class VertexClustering
         for (int c = 0; c < cells; c++)
             sums[c] /= counts[c];
         return sums;
+    }
+
+    private static double LongestWay(Mesh mesh, int[] cellOf, Vector3D[] positions)
+    {
+        ReadOnlySpan<Vector3D> old = mesh.Positions;
+        double longest = 0;
+        for (int v = 0; v < cellOf.Length; v++)
+        {
+            if (cellOf[v] >= 0)
+                longest = Math.Max(longest, Vector3D.DistanceSquared(old[v], positions[cellOf[v]]));
+        }
+        return Math.Sqrt(longest);
     }
 
     private static void WriteCells(TraceLog? trace, int[] cellOf, Vector3D[] positions)

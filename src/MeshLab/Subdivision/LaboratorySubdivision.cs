@@ -6,9 +6,10 @@ using MeshLab.Structure;
 namespace MeshLab.Subdivision;
 
 /// <summary>What the laboratory's subdivision did.</summary>
+/// <param name="StopReason">Why it ended.</param>
 /// <param name="Splits">Edges split: all there were.</param>
 /// <param name="Flips">Edges flipped: one per face.</param>
-public sealed record LaboratorySubdivisionResult(int Splits, int Flips);
+public sealed record LaboratorySubdivisionResult(SubdivisionStop StopReason, int Splits, int Flips);
 
 /// <summary>L2 Loop 细分 by local operations, as the laboratory's script has it: split every edge, flip the edges that join a new vertex with an old one.</summary>
 /// <remarks>
@@ -29,14 +30,16 @@ public static class LaboratorySubdivision
     {
         /// <summary>One step of Loop's scheme by splits and flips.</summary>
         /// <param name="weights">The weights of old vertices.</param>
+        /// <param name="trace">Takes the step trace: a line of JSON per split, flip and move; <see langword="null"/> for none.</param>
         /// <param name="progress">Told from 0 to 1 how far it is.</param>
         /// <param name="cancellationToken">Ends the work; the mesh is valid, but subdivided in part.</param>
         /// <exception cref="ArgumentException">A face is not a triangle; it is named.</exception>
         /// <exception cref="OperationCanceledException">The work was cancelled.</exception>
         public LaboratorySubdivisionResult SubdivideInLaboratory(
-            LoopWeights weights = LoopWeights.Loop1987, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
+            LoopWeights weights = LoopWeights.Loop1987, TextWriter? trace = null, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
         {
             mesh.RequireTriangles(nameof(mesh));
+            using OperationTrace? steps = OperationTrace.Of(mesh, StepTrace.Into(trace));
             Vector3D[] vertexPlaces = PlaceVertices(mesh, weights), edgePlaces = PlaceEdges(mesh);
             progress?.Report(0.2);
 
@@ -51,7 +54,7 @@ public static class LaboratorySubdivision
                     mesh.MoveVertex(mesh.Vertices[v], vertexPlaces[v]);
             }
             progress?.Report(1);
-            return new(parents.Length, flips);
+            return new(mesh.Faces.Count > 0 ? SubdivisionStop.StepsDone : SubdivisionStop.NothingToDo, parents.Length, flips);
         }
     }
 

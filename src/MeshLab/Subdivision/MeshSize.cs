@@ -36,13 +36,14 @@ internal readonly record struct MeshSize(long Vertices, long Edges, long Faces, 
         return new(Corners + 2 * BoundaryEdges, (corners + 2 * BoundaryEdges) / 2, Faces + Edges + Vertices, corners, 2 * BoundaryEdges);
     }
 
-    /// <summary>Throws if this is more than the budget allows or arrays can hold.</summary>
-    public void Check(SubdivisionOptions options)
+    /// <summary>Throws if this, after so many steps, is more than the budget allows or arrays can hold.</summary>
+    public void Check(SubdivisionOptions options, int step)
     {
         if (Faces > options.FaceBudget || 2 * Edges > Array.MaxLength)
         {
+            string steps = step < options.Steps ? $"{step} of {options.Steps} steps" : $"{step} steps";
             throw new ArgumentException(
-                $"{options.Steps} steps would make {Vertices} vertices, {Edges} edges and {Faces} faces; the budget is {Math.Min(options.FaceBudget, Array.MaxLength / 3)} faces.",
+                $"{steps} would make {Vertices} vertices, {Edges} edges and {Faces} faces; the budget is {Math.Min(options.FaceBudget, Array.MaxLength / 3)} faces.",
                 nameof(options));
         }
     }

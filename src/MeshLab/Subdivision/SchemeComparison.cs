@@ -24,18 +24,39 @@ public static class SchemeComparison
     /// <exception cref="ArgumentException">As of the schemes.</exception>
     public static IReadOnlyList<SchemeResult> Compare(Mesh mesh, int steps = 2, params SubdivisionScheme[] schemes)
     {
+        ArgumentNullException.ThrowIfNull(schemes);
+        return Compare(mesh, steps, (IReadOnlyList<SubdivisionScheme>)schemes, null, CancellationToken.None);
+    }
+
+    /// <summary>Subdivides with each scheme and measures the results.</summary>
+    /// <param name="mesh">Triangles, if a scheme wants them.</param>
+    /// <param name="steps">How often.</param>
+    /// <param name="schemes">Which; if none are named, Loop, modified butterfly and √3 as in the book.</param>
+    /// <param name="progress">Told the part of the schemes that is done.</param>
+    /// <param name="cancellationToken">Ends the work.</param>
+    /// <exception cref="ArgumentException">As of the schemes.</exception>
+    /// <exception cref="OperationCanceledException">The work was cancelled.</exception>
+    public static IReadOnlyList<SchemeResult> Compare(
+        Mesh mesh, int steps, IReadOnlyList<SubdivisionScheme> schemes, IProgress<double>? progress, CancellationToken cancellationToken = default)
+    {
         ArgumentNullException.ThrowIfNull(mesh);
         ArgumentNullException.ThrowIfNull(schemes);
         ArgumentOutOfRangeException.ThrowIfNegative(steps);
         mesh = Stepper.Compacted(mesh);
-        if (schemes.Length == 0)
+        if (schemes.Count == 0)
             schemes = [SubdivisionScheme.Loop, SubdivisionScheme.ModifiedButterfly, SubdivisionScheme.Sqrt3];
-        return [.. schemes.Select(scheme => Measure(mesh, scheme, steps))];
+        var results = new List<SchemeResult>(schemes.Count);
+        foreach (SubdivisionScheme scheme in schemes)
+        {
+            results.Add(Measure(mesh, scheme, steps, cancellationToken));
+            progress?.Report((double)results.Count / schemes.Count);
+        }
+        return results;
     }
 
-    private static SchemeResult Measure(Mesh mesh, SubdivisionScheme scheme, int steps)
+    private static SchemeResult Measure(Mesh mesh, SubdivisionScheme scheme, int steps, CancellationToken cancellationToken)
     {
-        Mesh finer = mesh.Subdivide(scheme, new SubdivisionOptions { Steps = steps });
+        Mesh finer = mesh.Subdivide(scheme, new SubdivisionOptions { Steps = steps }, null, cancellationToken);
         double area = 0, volume = 0;
         var normals = new Vector3D[finer.FaceSlots];
         foreach (Face f in finer.Faces)

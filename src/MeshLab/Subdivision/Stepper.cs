@@ -24,7 +24,7 @@ internal static class Stepper
         {
             size = grow(size, number);
             // Every step is checked: numbers that pass here cannot overflow in the next.
-            size.Check(options);
+            size.Check(options, number + 1);
             total = total with { Faces = total.Faces + size.Faces };
         }
 

@@ -27,5 +27,26 @@ public static class SubdivisionSchemes
             SubdivisionScheme.Midpoint => MidpointSubdivision.Subdivide(mesh, options, progress, cancellationToken),
             _ => throw new ArgumentOutOfRangeException(nameof(scheme), scheme, "There is no such scheme."),
         };
+
+        /// <summary>Subdivides with a scheme and says what was done; the mesh is not changed.</summary>
+        /// <param name="scheme">Which.</param>
+        /// <param name="options">Steps, weights, budget, creases.</param>
+        /// <param name="report">What was done, and why it ended.</param>
+        /// <param name="progress">Told the part done.</param>
+        /// <param name="cancellationToken">Stops the work; nothing is returned then.</param>
+        /// <exception cref="ArgumentException">The scheme takes triangles and a face is none, or the result would have more faces than the budget.</exception>
+        public Mesh Subdivide(
+            SubdivisionScheme scheme,
+            SubdivisionOptions? options,
+            out SubdivisionReport report,
+            IProgress<double>? progress = null,
+            CancellationToken cancellationToken = default)
+        {
+            Mesh result = mesh.Subdivide(scheme, options, progress, cancellationToken);
+            int steps = (options ?? SubdivisionOptions.Default).Steps;
+            SubdivisionStop stop = steps > 0 && mesh.Faces.Count > 0 ? SubdivisionStop.StepsDone : SubdivisionStop.NothingToDo;
+            report = new(stop, stop == SubdivisionStop.StepsDone ? steps : 0, mesh.Faces.Count, result.Faces.Count);
+            return result;
+        }
     }
 }

@@ -57,18 +57,31 @@ public sealed class RemeshVerbsTests : IDisposable
     [InlineData("remesh", "passes-done", "--laboratory")]
     [InlineData("five-six-seven", "reached")]
     [InlineData("five-six-seven", "reached", "--textbook")]
-    [InlineData("subdivide", null, "--steps", "2")]
-    public void Trace_IsWrittenAndTheStopReasonSaid(string verb, string? stopReason, params string[] options)
+    [InlineData("subdivide", "steps-done", "--steps", "2")]
+    public void Trace_IsWrittenAndTheStopReasonSaid(string verb, string stopReason, params string[] options)
     {
         string trace = Path.Combine(folder, "steps.ndjson");
         JsonElement result = Run(0, [verb, Save(Models.Create("bumpy-sphere"), "in.obj"), Path.Combine(folder, "out.obj"), "--trace", trace, .. options]);
-        if (stopReason is not null)
-            Assert.Equal(stopReason, result.GetProperty("stopReason").GetString());
+        Assert.Equal(stopReason, result.GetProperty("stopReason").GetString());
         string[] lines = File.ReadAllLines(trace);
         Assert.True(lines.Length >= 2);
         for (int i = 0; i < lines.Length; i++)
             Assert.Equal(i, JsonDocument.Parse(lines[i]).RootElement.GetProperty("step").GetInt32());
     }
+
+    [Theory]
+    [InlineData("--feature-angle 200: not in (0, 180]", "remesh", "--feature-angle", "200")]
+    [InlineData("--relative 0: not a positive number", "remesh", "--relative", "0")]
+    [InlineData("--iterations 0: not positive", "remesh", "--iterations", "0")]
+    [InlineData("exclude each other", "remesh", "--edge-length", "1", "--relative", "2")]
+    [InlineData("the budget is 50000000", "remesh", "--edge-length", "1e-9")]
+    [InlineData("--feature-angle 200: not in [0, 180]", "five-six-seven", "--feature-angle", "200")]
+    [InlineData("--faces -5: not positive", "five-six-seven", "--faces", "-5")]
+    [InlineData("14 of 40 steps would make", "subdivide", "--steps", "40", "--scheme", "sqrt3")]
+    public void BadOption_IsWrongUsageAndNamed(string message, string verb, params string[] options) => Assert.Contains(
+        message,
+        Run(2, [verb, Save(Models.Create("cube"), "in.obj"), Path.Combine(folder, "out.obj"), .. options]).GetProperty("error").GetProperty("message").GetString(),
+        StringComparison.Ordinal);
 
     [Fact]
     public void FiveSixSeven_FewerFacesThanPossible_IsRefusedWithStatus1() =>

@@ -41,6 +41,8 @@ public sealed class SimplifyVerbsTests : IDisposable
         JsonElement result = Run(0, "simplify", input, output, "--method", "clustering", "--cells", "4");
 
         Assert.True(result.GetProperty("cells").GetInt32() > 8);
+        Assert.Equal("cells", result.GetProperty("stopReason").GetString());
+        Assert.True(result.GetProperty("maxError").GetDouble() > 0);
         Assert.True(result.TryGetProperty("stopReason", out _));
     }
 

@@ -83,13 +83,45 @@ public class TextbookStepTests
         mesh.LowerHighValences();
         int faces = mesh.Faces.Count;
 
-        (int collapses, int flips) = mesh.SimplifyKeepingValences(faces / 4);
+        (FiveSixSevenStop stop, int collapses, int flips) = mesh.SimplifyKeepingValences(faces / 4);
 
         Assert.True(collapses > 0 && flips >= 0);
+        Assert.Equal(mesh.Faces.Count <= faces / 4 ? FiveSixSevenStop.Reached : FiveSixSevenStop.CountOutOfReach, stop);
+        Assert.Equal(new(FiveSixSevenStop.NothingToDo, 0, 0), mesh.SimplifyKeepingValences(faces));
         Assert.InRange(mesh.Faces.Count, faces / 4 - 1, faces / 2);
         Assert.All(mesh.CountInnerValences().Keys, v => Assert.InRange(v, 5, 7));
         Assert.Empty(mesh.Validate());
+        Assert.Equal(FiveSixSevenStop.CountOutOfReach, mesh.SimplifyKeepingValences(0).StopReason);
         Assert.Throws<ArgumentOutOfRangeException>(() => mesh.SimplifyKeepingValences(-1));
+    }
+
+    [Fact]
+    public void Steps_Cancelled_LeaveAValidMesh()
+    {
+        foreach (Action<Mesh, IProgress<double>, CancellationToken> step in new Action<Mesh, IProgress<double>, CancellationToken>[]
+        {
+            (m, p, c) => m.RaiseValenceThree(p, c),
+            (m, p, c) => m.RaiseValenceFour(p, c),
+            (m, p, c) => m.SplitFacesIntoNine(p, c),
+            (m, p, c) => m.LowerHighValences(p, c),
+            (m, p, c) => m.SimplifyKeepingValences(20, p, c),
+        })
+        {
+            Mesh mesh = PathologicalMeshes.Wrecked(Models.Sphere(12, 16), 1).SplitFacesIntoNine();
+            var shares = new List<double>();
+            using var source = new CancellationTokenSource();
+            step(mesh.Clone(), new Reporter(shares.Add), source.Token);
+            Assert.Equal(1, shares[^1]);
+            Assert.Equal(shares.Order(), shares);
+            source.Cancel();
+            Assert.Throws<OperationCanceledException>(() => step(mesh, new Reporter(shares.Add), source.Token));
+            Assert.Empty(mesh.Validate());
+        }
+    }
+
+    private sealed class Reporter(Action<double> report) : IProgress<double>
+    {
+        public void Report(double value) => report(value);
     }
 
     [Fact]

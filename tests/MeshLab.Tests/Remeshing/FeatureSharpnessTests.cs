@@ -54,13 +54,16 @@ public class FeatureSharpnessTests
         Assert.True(allowed > 50 && refused > 50, $"{allowed} {refused}");
     }
 
-    [Fact]
-    public void AllowsCollapse_EveryHalfEdge_AsTheCollapseDoes()
+    [Theory]
+    [InlineData(2)]
+    [InlineData(4)]
+    [InlineData(5)]
+    public void AllowsCollapse_EveryHalfEdge_AsTheCollapseDoes(int seed)
     {
         int allowed = 0, refused = 0, merged = 0;
         for (int h = 0; h < Boxes.HalfEdgeSlots; h++)
         {
-            RemeshSurface s = Shaken(2);
+            RemeshSurface s = Shaken(seed);
             int u = s.Target[h ^ 1], v = s.Target[h];
             bool alongLine = s.OnLine[h >> 1];
             if (!s.CanCollapse(h) || (s.LineCount[u] != 0 && !(alongLine && s.LineCount[u] == 2)))

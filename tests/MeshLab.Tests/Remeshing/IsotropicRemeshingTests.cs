@@ -182,6 +182,12 @@ public class IsotropicRemeshingTests
         Assert.Throws<ArgumentOutOfRangeException>(() => new RemeshingOptions { FeatureAngle = 4 });
         Assert.Throws<ArgumentOutOfRangeException>(() => new RemeshingOptions { CurvatureTolerance = 0 });
         Assert.Throws<ArgumentOutOfRangeException>(() => new RemeshingOptions { SmallestRelativeLength = 2 });
+        Assert.Throws<ArgumentOutOfRangeException>(() => new RemeshingOptions { FaceBudget = 0 });
+        // A unit cube has six squares, in triangles of side 0.1 about 1386.
+        Mesh cube = Models.Create("cube");
+        Assert.Contains("1.39E+03 faces; the budget is 1380", Assert.Throws<ArgumentException>("options", () => cube.RemeshIsotropically(new() { EdgeLength = 0.1, FaceBudget = 1380 })).Message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>("options", () => cube.RemeshIsotropically(new() { EdgeLength = 1e-9 }));
+        Assert.Throws<ArgumentException>("options", () => cube.RemeshInLaboratory(new() { EdgeLength = 1e-9 }));
         Assert.Equal(0, new Mesh().RemeshIsotropically().Mesh.Faces.Count);
     }
 

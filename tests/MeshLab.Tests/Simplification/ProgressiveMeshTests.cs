@@ -203,6 +203,9 @@ public class ProgressiveMeshTests
     {
         Mesh mesh = Shapes.Torus(8, 6);
         ProgressiveMesh progressive = ProgressiveMesh.Create(mesh, new() { TargetFaces = 20 });
+        Assert.Equal((StopReason.TargetReached, mesh.Faces.Count, progressive.MinFaces, progressive.CollapseCount),
+            (progressive.Recording!.StopReason, progressive.Recording.FacesBefore, progressive.Recording.FacesAfter, progressive.Recording.Collapses));
+        Assert.Equal(StopReason.MaxErrorReached, ProgressiveMesh.Create(mesh, new() { MaxError = 0 }).Recording!.StopReason);
 
         Assert.Throws<ArgumentException>(() => ProgressiveMesh.Create(MeshBuilder.FromFaces(4, [0, 1, 2, 3])));
         Assert.Throws<ArgumentException>(() => ProgressiveMesh.Create(mesh, new() { Mode = QuadricMode.Textbook }));

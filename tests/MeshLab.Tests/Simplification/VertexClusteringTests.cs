@@ -22,6 +22,9 @@ public class VertexClusteringTests
             result.Mesh.Vertices.Select(v => v.Position).OrderBy(p => p.Y).ThenBy(p => p.X));
         Assert.Equal(2, result.Mesh.Faces.Count);
         Assert.Equal(32 - 2, result.CollapsedFaces + result.DuplicateFaces);
+        Assert.Equal(StopReason.CellsDone, result.StopReason);
+        // The corner at (1, 1) goes to (¾, ¾).
+        Assert.Equal(0.25 * Math.Sqrt(2), result.MaxError, 1e-15);
         Assert.Empty(result.Mesh.Validate());
     }
 
@@ -63,6 +66,8 @@ public class VertexClusteringTests
         Assert.Equal(loops, Shapes.BoundaryLoops(mesh));
         Assert.Equal(euler, Shapes.EulerCharacteristic(mesh));
         Assert.Equal(mesh.Faces.Count, result.FacesAfter);
+        Assert.Equal(result.Refusals.Total > 0 ? StopReason.NothingCollapsible : StopReason.CellsDone, result.StopReason);
+        Assert.Equal(result.Collapses > 0, result.MaxError > 0);
         Assert.Empty(mesh.Validate());
     }
 

@@ -105,6 +105,21 @@ public class OperationTraceTests
         Assert.Equal(finer.Vertices.Count, lines[2].GetProperty("vertices").GetInt32());
     }
 
+    [Theory]
+    [Trait("Section", "L2")]
+    [InlineData("cube")]
+    [InlineData("holes")]
+    public void SubdivideInLaboratory_Trace_HasALinePerOperation(string name)
+    {
+        using var writer = new StringWriter();
+        Mesh mesh = Models.Create(name);
+        LaboratorySubdivisionResult result = mesh.SubdivideInLaboratory(trace: writer);
+        Assert.Equal(SubdivisionStop.StepsDone, result.StopReason);
+        AssertCounts(writer, ("edgeSplit", result.Splits), ("edgeFlip", result.Flips));
+        Assert.Null(mesh.Listener);
+        Assert.Empty(mesh.Validate());
+    }
+
     private static void AssertCounts(StringWriter writer, params (string Operation, int Count)[] expected)
     {
         JsonElement[] lines = Lines(writer);

@@ -42,6 +42,28 @@ public class SchemeComparisonTests
     }
 
     [Fact]
+    public void Compare_ProgressAndCancellation_ByScheme()
+    {
+        var told = new List<double>();
+        using var source = new CancellationTokenSource();
+        Mesh mesh = Polyhedra.Icosahedron();
+        SubdivisionScheme[] schemes = [SubdivisionScheme.Loop, SubdivisionScheme.Midpoint, SubdivisionScheme.DooSabin, SubdivisionScheme.Sqrt3];
+        Assert.Equal(schemes, SchemeComparison.Compare(mesh, 1, schemes, new Teller(told.Add)).Select(r => r.Scheme));
+        Assert.Equal([0.25, 0.5, 0.75, 1], told);
+        var stop = new Teller(share =>
+        {
+            if (share >= 0.5)
+                source.Cancel();
+        });
+        Assert.Throws<OperationCanceledException>(() => SchemeComparison.Compare(mesh, 1, schemes, stop, source.Token));
+    }
+
+    private sealed class Teller(Action<double> tell) : IProgress<double>
+    {
+        public void Report(double value) => tell(value);
+    }
+
+    [Fact]
     public void Compare_OfQuads_TakesThePolygonSchemes()
     {
         IReadOnlyList<SchemeResult> results = SchemeComparison.Compare(Polyhedra.Cube(), 2, SubdivisionScheme.CatmullClark, SubdivisionScheme.DooSabin);

@@ -116,6 +116,8 @@ public class SchemeTests
             return;
         }
         Assert.Contains(message, Assert.Throws<ArgumentException>(() => Polyhedra.Icosahedron().Subdivide(scheme, options)).Message, StringComparison.Ordinal);
+        string first = Assert.Throws<ArgumentException>(() => Polyhedra.Icosahedron().Subdivide(scheme, options with { Steps = 9 })).Message;
+        Assert.StartsWith("3 of 9 steps would make 642 vertices", first, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(() => Polyhedra.Icosahedron().Subdivide(scheme, new SubdivisionOptions { Steps = 1000, FaceBudget = long.MaxValue }));
     }
 
@@ -164,6 +166,22 @@ public class SchemeTests
         Cones.Cone().Subdivide(SubdivisionScheme.Loop, new SubdivisionOptions { Steps = 3 }, new Teller(told.Add));
         Assert.Equal(told.Order(), told);
         Assert.Equal(1, told[^1]);
+    }
+
+    [Theory]
+    [MemberData(nameof(Schemes))]
+    public void Subdivide_Report_SaysWhatWasDoneAndWhyItEnded(SubdivisionScheme scheme)
+    {
+        Mesh mesh = Models.Create("torus");
+        Mesh finer = mesh.Subdivide(scheme, new() { Steps = 2 }, out SubdivisionReport report);
+        Assert.Equal(new(SubdivisionStop.StepsDone, 2, mesh.Faces.Count, finer.Faces.Count), report);
+        Assert.Equal(mesh.Subdivide(scheme, new() { Steps = 2 }).StateHash(), finer.StateHash());
+        mesh.Subdivide(scheme, null, out report);
+        Assert.Equal(1, report.Steps);
+        mesh.Subdivide(scheme, new() { Steps = 0 }, out report);
+        Assert.Equal(new(SubdivisionStop.NothingToDo, 0, mesh.Faces.Count, mesh.Faces.Count), report);
+        new Mesh().Subdivide(scheme, null, out report);
+        Assert.Equal(new(SubdivisionStop.NothingToDo, 0, 0, 0), report);
     }
 
     [Fact]
