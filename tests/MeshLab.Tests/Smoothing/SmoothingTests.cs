@@ -246,6 +246,23 @@ public class SmoothingTests
         Assert.True(options.Mu < -options.Lambda);
     }
 
+    [Theory]
+    [InlineData(LaplacianWeights.Cotangent)]
+    [InlineData(LaplacianWeights.Uniform)]
+    public void SmoothImplicitly_ComponentWithoutArea_StaysAndTheOtherMovesAsIfAlone(LaplacianWeights weights)
+    {
+        var options = new ImplicitSmoothingOptions { Weights = weights, Boundary = SmoothingBoundary.Free, Steps = 2 };
+        Vector3D[] square = [new(0, 0, 0), new(2, 0, 0), new(2, 1, 0), new(0, 1, 1)];
+        Mesh alone = MeshBuilder.FromTriangles([.. square, new(5, 0, 0)], [0, 1, 2, 0, 2, 3]);
+        Mesh both = MeshBuilder.FromTriangles([.. square, new(5, 0, 0), new(6, 0, 0), new(7, 0, 0)], [0, 1, 2, 0, 2, 3, 4, 5, 6]);
+        both.SmoothImplicitly(options);
+        Assert.Equal([new(5, 0, 0), new(6, 0, 0), new(7, 0, 0)], both.Positions[4..].ToArray());
+
+        // The step is so many mean cell areas long: three more vertices without area make it that much shorter.
+        alone.SmoothImplicitly(options with { Time = options.Time * 4 / 7 });
+        Assert.All(alone.Vertices, v => Assert.True(Vector3D.Distance(v.Position, both.Positions[v.Index]) < 1e-14));
+    }
+
     [Fact]
     public void SmoothImplicitly_RegularTetrahedron_ShrinksByTheExactFactor()
     {
