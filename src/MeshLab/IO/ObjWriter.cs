@@ -138,6 +138,12 @@ internal static class ObjWriter
         (FaceLabelSet Set, string Keyword, string Off)[] labels =
             [.. Statements.SelectMany(s => data.FaceLabels.Where(set => set.Kind == s.Kind).Select(set => (set, s.Keyword, s.Off)))];
         int[] start = data.FaceStart, corners = data.Corners;
+        if (labels.Length + texture.Length + normals.Length == 0)
+        {
+            writer.WriteRows(data.FaceCount, 0.3, (from, to, b) => FormatPlainFaces(start, corners, from, to, b));
+            return;
+        }
+
         writer.WriteRows(data.FaceCount, 0.3, (from, to, b) =>
         {
             for (int f = from; f < to; f++)
@@ -155,6 +161,17 @@ internal static class ObjWriter
                 b.Append((byte)'\n');
             }
         });
+    }
+
+    private static void FormatPlainFaces(ReadOnlySpan<int> start, ReadOnlySpan<int> corners, int from, int to, ByteBuffer b)
+    {
+        for (int f = from; f < to; f++)
+        {
+            b.Append((byte)'f');
+            foreach (int corner in corners[start[f]..start[f + 1]])
+                b.AppendBlankAnd(corner + 1);
+            b.Append((byte)'\n');
+        }
     }
 
     private static void AppendAttributes(ByteBuffer b, int[] texture, int[] normals, int corner)
