@@ -1,4 +1,4 @@
-using MeshLab.Geometry;
+using MeshLab.Numerics;
 
 namespace MeshLab.Remeshing;
 
@@ -114,8 +114,18 @@ public sealed record RemeshingOptions
     /// <summary>What to say if equilateral triangles of that length on the mesh's surface, or edges of it along the mesh's edges, are more than a budget; else null.</summary>
     internal static string? BeyondBudget(Structure.Mesh mesh, double length, long budget)
     {
-        double area = mesh.Faces.Sum(f => f.Area), edges = mesh.Edges.Sum(e => e.Length);
-        double faces = Math.Max(area / (Math.Sqrt(3) / 4 * length * length), edges / length);
+        ReadOnlySpan<int> first = mesh.HalfEdgeOf, next = mesh.Next, target = mesh.Target;
+        ReadOnlySpan<Vector3D> positions = mesh.Positions;
+        double area = 0, sides = 0;
+        foreach (int h in first)
+        {
+            if (h < 0)
+                continue;
+            Vector3D a = positions[target[h]], ab = positions[target[next[h]]] - a, ac = positions[target[next[next[h]]]] - a;
+            area += 0.5 * Vector3D.Cross(ab, ac).Length;
+            sides += ab.Length + ac.Length + (ac - ab).Length;
+        }
+        double faces = Math.Max(area / (Math.Sqrt(3) / 4 * length * length), 0.5 * sides / length);
         return faces <= budget ? null : FormattableString.Invariant($"Edges of length {length:G6} would make about {faces:G3} faces; the budget is {budget}.");
     }
 

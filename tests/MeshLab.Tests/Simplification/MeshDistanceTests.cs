@@ -38,6 +38,18 @@ public class MeshDistanceTests
         }
     }
 
+    [Fact]
+    public void Report_OfBothWays_TakesTheLarger()
+    {
+        var one = new DistanceStatistics(1, 3, 8);
+        var two = new DistanceStatistics(2, 4, 6);
+        foreach (MeshDistanceReport report in new[] { new MeshDistanceReport(one, two, 10), new MeshDistanceReport(two, one, 10) })
+        {
+            Assert.Equal((2, 4, 8), (report.Mean, report.Rms, report.Hausdorff));
+            Assert.Equal(Math.Sqrt(12.5), report.SymmetricRms, 1e-15);
+        }
+    }
+
     [Theory]
     [InlineData(false)]
     [InlineData(true)]

@@ -1,3 +1,4 @@
+using MeshLab.Editing;
 using MeshLab.Generation;
 using MeshLab.Numerics;
 using MeshLab.Structure;
@@ -41,6 +42,27 @@ public class LaboratorySubdivisionTests
         Assert.Empty(mesh.Validate());
         history.UndoAll();
         Assert.Equal(before, mesh.StateHash());
+    }
+
+    [Fact]
+    public void SubdivideInLaboratory_WithDeletedSlots_PassesThemOver()
+    {
+        Mesh mesh = Models.Create("torus");
+        foreach (int f in new[] { 3, 40, 41 })
+            mesh.Faces[f].Delete();
+        Assert.True(mesh.Edges.Last().HalfEdge0.TryCollapse(out _));
+        Assert.False(mesh.IsCompact);
+        Mesh expected = mesh.Clone();
+        expected.Compact();
+        expected = LoopSubdivision.Subdivide(expected);
+
+        int edges = mesh.Edges.Count, faces = mesh.Faces.Count;
+        Assert.Equal(new(SubdivisionStop.StepsDone, edges, faces), mesh.SubdivideInLaboratory());
+
+        Assert.Empty(mesh.Validate());
+        Assert.Equal((expected.Vertices.Count, expected.Edges.Count, expected.Faces.Count), (mesh.Vertices.Count, mesh.Edges.Count, mesh.Faces.Count));
+        Vector3D[] places = [.. mesh.Vertices.Select(v => v.Position)];
+        Assert.All(expected.Vertices, v => Assert.Contains(places, p => Vector3D.Distance(p, v.Position) < 1e-12));
     }
 
     [Fact]
