@@ -26,7 +26,7 @@ public enum HoleFillingMethod
 public enum HoleWeight
 {
     /// <summary>
-    /// The sum over all edges of length times bend, then the area: continues planes and creases from around the hole. A single sharp edge
+    /// The sum over all edges of length times angle, then the area: continues planes and creases from around the hole. A single sharp edge
     /// on the rim, as technical models have, does not spoil the comparison, as it does where the largest bend counts.
     /// </summary>
     TotalBend,

@@ -11,7 +11,7 @@ namespace MeshLab.HoleFilling;
 ///      ╱         ╲           (i, m) and (m, j), or the mesh's own face where that is an edge of the loop.
 ///     i ───────── j
 /// </code>
-/// Barequet, Sharir 1995; weights of Liepa 2003, §3. The total bend is Σ length · 2 sin(angle / 2) over all edges, about the total mean curvature; the largest bend is 1 − cos of the angle between normals, rounded to 10⁻⁷, so that on a plane the area decides and
+/// Barequet, Sharir 1995; weights of Liepa 2003, §3. The total bend is Σ length · angle over all edges, twice the total absolute mean curvature: a crease costs the same when it is rounded off by many small bends; the largest bend is 1 − cos of the angle between normals, rounded to 10⁻⁷, so that on a plane the area decides and
 /// not the noise. The total takes a crease once, however sharp, and prefers planes that go on and meet; the largest says nothing more where the rim has a sharp edge itself. Most m are dismissed by the bends of the two parts alone. The table is kept by rows and by columns, so that both parts are
 /// read in order; the cells of a diagonal do not depend on each other and are shared out to threads. O(n³) time, O(n²) memory.
 /// </remarks>
@@ -119,11 +119,15 @@ internal static class MinimumWeightTriangulation
                     Vector3D unit = size > 0 ? cross / size : default;
                     if (total)
                     {
-                        b += Turn(unit, normal[i * n + m]) * leftLength[m] + Turn(unit, normal[m * n + j]) * rightLength[m];
+                        double left = Chord(unit, normal[i * n + m]), right = Chord(unit, normal[m * n + j]);
+                        // The chord is less than the angle, and cheaper.
+                        if (b + left * leftLength[m] + right * rightLength[m] > bestBend)
+                            continue;
+                        b += Angle(left) * leftLength[m] + Angle(right) * rightLength[m];
                         if (b > bestBend)
                             continue;
                         if (isLast)
-                            b += Turn(unit, loop.RimNormals[n - 1]) * leftLength[j];
+                            b += Angle(Chord(unit, loop.RimNormals[n - 1])) * leftLength[j];
                     }
                     else if (bendWeighs)
                     {
@@ -143,12 +147,15 @@ internal static class MinimumWeightTriangulation
             normal[at] = bestNormal;
         }
 
-        /// <summary>2 sin of half the angle between two unit normals: the angle itself where it is small; 0 for what is rounding.</summary>
-        private static double Turn(Vector3D a, Vector3D b)
+        /// <summary>The distance of two unit normals, 2 sin of half the angle between them; 0 for what is rounding.</summary>
+        private static double Chord(Vector3D a, Vector3D b)
         {
             double squared = Vector3D.DistanceSquared(a, b);
             return squared > BendStep * BendStep ? Math.Sqrt(squared) : 0;
         }
+
+        /// <summary>The angle of a chord of the unit circle.</summary>
+        private static double Angle(double chord) => 2 * Math.Asin(Math.Min(1, chord / 2));
 
         private static double Bend(Vector3D a, Vector3D b) => Math.Round((1 - Vector3D.Dot(a, b)) / BendStep) * BendStep;
 
