@@ -8,9 +8,11 @@ namespace MeshLab.Cutting;
 /// <param name="Mesh">The cut mesh: faces in the old order; old vertices in the old order, then the further copies in order of the vertex they come from.</param>
 /// <param name="SourceVertex">Per vertex of the cut mesh the old vertex.</param>
 /// <param name="SourceFace">Per face of the cut mesh the old face.</param>
+/// <param name="NewFace">Per old face slot the face of the cut mesh; −1 for deleted faces.</param>
 /// <param name="Copies">Per old vertex slot its copies, the one in its old place first; empty for deleted vertices.</param>
 /// <param name="Uncut">Edges asked for that could not be cut: both ends stayed whole, so that the two sides are still one edge. In index order.</param>
-public sealed record EdgeCutResult(Mesh Mesh, int[] SourceVertex, int[] SourceFace, IReadOnlyList<IReadOnlyList<int>> Copies, IReadOnlyList<Edge> Uncut);
+public sealed record EdgeCutResult(
+    Mesh Mesh, int[] SourceVertex, int[] SourceFace, int[] NewFace, IReadOnlyList<IReadOnlyList<int>> Copies, IReadOnlyList<Edge> Uncut);
 
 /// <summary>§6.4 沿选择的边切开: cuts a mesh open along any set of edges.</summary>
 /// <remarks>
@@ -55,6 +57,7 @@ public static class EdgeCutting
             cut,
             sourceVertex,
             sourceFace,
+            MeshPart.Inverse(sourceFace, mesh.FaceSlots),
             Array.ConvertAll(copies, list => (IReadOnlyList<int>)(list ?? [])),
             [.. mesh.Edges.Where(e => isCut[e.index] && !e.IsBoundary && IsWhole(e, cornerVertex))]);
     }

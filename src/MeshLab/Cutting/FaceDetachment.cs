@@ -4,7 +4,7 @@ using MeshLab.Structure;
 namespace MeshLab.Cutting;
 
 /// <summary>§6.3 按三角形面切割: takes faces out of a mesh and makes a mesh of their own from them.</summary>
-/// <remarks>The vertices of the rim are in both. A vertex where parts of either mesh met in a point alone gets copies. <see cref="Mesh.Append"/> is the way back.</remarks>
+/// <remarks>The vertices of the rim are in both. Whatever stays keeps its index. A vertex where parts of either mesh met in a point alone gets copies; the result names them. <see cref="Mesh.Append"/> is the way back.</remarks>
 public static class FaceDetachment
 {
     extension(Mesh mesh)
@@ -20,9 +20,10 @@ public static class FaceDetachment
             if (chosen.Count == 0)
                 return part;
             using OperationScope operation = mesh.BeginOperation(OperationKind.DeleteFace, chosen[0]);
-            RegionRemoval.Remove(mesh, chosen, new RemovalOptions { SplitPinched = true });
+            var copies = new List<int>();
+            RegionRemoval.Remove(mesh, chosen, new RemovalOptions { SplitPinched = true }, copies);
             operation.Complete();
-            return part;
+            return part with { CopiesLeftBehind = copies };
         }
 
         /// <summary>The faces as a new mesh; the mesh given stays as it is.</summary>

@@ -4,12 +4,18 @@ namespace MeshLab.Cutting;
 
 /// <summary>A mesh made from part of another one, and where its elements come from.</summary>
 /// <param name="Mesh">The part, with the traits of what it comes from.</param>
-/// <param name="SourceVertex">Per vertex of the part the old vertex; −1 for new ones.</param>
+/// <param name="SourceVertex">Per vertex of the part the old vertex; −1 for new ones: <see cref="SourceEdge"/> says where they were made.</param>
 /// <param name="SourceFace">Per face of the part the old face that it is, or is a piece of; −1 for new ones.</param>
 /// <param name="NewVertex">Per old vertex slot the vertex of the part, the lowest if there are several copies; −1 if none.</param>
 /// <param name="NewFace">Per old face slot the face of the part, the lowest if there are several pieces; −1 if none.</param>
 public sealed record MeshPart(Mesh Mesh, int[] SourceVertex, int[] SourceFace, int[] NewVertex, int[] NewFace)
 {
+    /// <summary>Per vertex of the part that a cut made, the old edge on which it lies; −1 for old vertices, and for the centres of caps.</summary>
+    public int[] SourceEdge { get; internal init; } = NoEdges(SourceVertex.Length);
+
+    /// <summary>After <see cref="FaceDetachment"/>: per vertex that the mesh left behind got, in order of index from its old number of slots on, the vertex of which it is a copy, because faces met there in a point alone.</summary>
+    public IReadOnlyList<int> CopiesLeftBehind { get; internal init; } = [];
+
     /// <summary>The part that some faces are, with their vertices in the old order. Faces that met in a vertex alone get a copy each.</summary>
     internal static MeshPart OfFaces(Mesh mesh, List<int> faces)
     {
@@ -55,10 +61,19 @@ public sealed record MeshPart(Mesh Mesh, int[] SourceVertex, int[] SourceFace, i
     internal static MeshPart Of(Mesh source, Mesh part, int[] sourceVertex, int[] sourceFace, int[]? cutHalfEdge, double[]? parameter)
     {
         PartTraits.Derive(source, part, sourceVertex, sourceFace, cutHalfEdge, parameter);
-        return new(part, sourceVertex, sourceFace, Inverse(sourceVertex, source.VertexSlots), Inverse(sourceFace, source.FaceSlots));
+        var result = new MeshPart(part, sourceVertex, sourceFace, Inverse(sourceVertex, source.VertexSlots), Inverse(sourceFace, source.FaceSlots));
+        return cutHalfEdge is null ? result : result with { SourceEdge = Array.ConvertAll(cutHalfEdge, h => h < 0 ? -1 : h >> 1) };
     }
 
-    private static int[] Inverse(int[] source, int slots)
+    private static int[] NoEdges(int count)
+    {
+        var none = new int[count];
+        Array.Fill(none, -1);
+        return none;
+    }
+
+    /// <summary>Per old slot the lowest new element that comes from it; −1 if none.</summary>
+    internal static int[] Inverse(int[] source, int slots)
     {
         var inverse = new int[slots];
         Array.Fill(inverse, -1);

@@ -5,12 +5,21 @@ using MeshLab.Structure;
 
 namespace MeshLab.Cutting;
 
+/// <summary>A vertex that splitting obtuse triangles put on an edge.</summary>
+/// <param name="Vertex">The new vertex.</param>
+/// <param name="From">One end of the edge, as it was at that moment: an old vertex, or one made before.</param>
+/// <param name="To">The other end.</param>
+/// <param name="Parameter">Where between them, from 0 at <paramref name="From"/> to 1 at <paramref name="To"/>.</param>
+/// <param name="SourceEdge">The old edge that was split there, or of which a piece was; −1 if it was an altitude, inside an old face.</param>
+public readonly record struct ObtuseFoot(int Vertex, int From, int To, double Parameter, int SourceEdge);
+
 /// <summary>What splitting obtuse triangles did.</summary>
 /// <param name="Splits">The number of edges split.</param>
 /// <param name="Passes">How often the mesh was looked through.</param>
 /// <param name="Remaining">Triangles that still have a larger angle, the largest angle first: splitting stopped, or the edge could not be split.</param>
 /// <param name="SourceFace">Per face slot the old face that it is, or is a piece of. Old vertices keep their indices; new ones follow.</param>
-public sealed record ObtuseSplitResult(int Splits, int Passes, IReadOnlyList<Face> Remaining, int[] SourceFace)
+/// <param name="Feet">Per new vertex, in order of index, the edge on which it was made.</param>
+public sealed record ObtuseSplitResult(int Splits, int Passes, IReadOnlyList<Face> Remaining, int[] SourceFace, IReadOnlyList<ObtuseFoot> Feet)
 {
     /// <summary>Per old face slot its pieces, the one in the old place first; empty for deleted faces.</summary>
     public IReadOnlyList<IReadOnlyList<int>> Pieces { get; } = PiecesOf(SourceFace);
@@ -55,29 +64,36 @@ public static class ObtuseSplit
             if (!(angle > Math.PI / 2 && angle < Math.PI))
                 throw new ArgumentOutOfRangeException(nameof(angle), angle, "The angle must be larger than π/2 and smaller than π.");
             ArgumentOutOfRangeException.ThrowIfNegative(maxPasses);
-            int splits = 0, passes = 0;
+            int passes = 0;
+            var feet = new List<ObtuseFoot>();
+            List<int> sourceEdge = [.. Enumerable.Range(0, mesh.EdgeSlots)];
             List<int> source = [.. Enumerable.Range(0, mesh.FaceSlots).Select(f => mesh.IsDeletedFace(f) ? -1 : f)];
             List<Face> obtuse = Find(mesh, angle);
             while (obtuse.Count > 0 && passes < maxPasses)
             {
                 passes++;
-                int before = splits;
+                int before = feet.Count;
                 foreach (Face f in obtuse)
                 {
                     // An earlier split may have dealt with it, or made it another triangle.
                     HalfEdge opposite = LargestAngle(f, out double largest);
                     Edge half = opposite.Edge;
-                    if (largest > angle && opposite.Edge.TrySplit(Foot(opposite), out Vertex foot, out _))
+                    int from = opposite.Source.index, to = opposite.Target.index;
+                    double t = Foot(opposite);
+                    if (largest > angle && half.TrySplit(Vector3D.Lerp(mesh.positions[from], mesh.positions[to], t), out Vertex foot, out _))
                     {
-                        splits++;
+                        feet.Add(new(foot.index, from, to, t, sourceEdge[half.index]));
                         NameSources(mesh, foot, half, source);
+                        // The first new edge is the other half; the others are altitudes.
+                        sourceEdge.Add(sourceEdge[half.index]);
+                        sourceEdge.AddRange(Enumerable.Repeat(-1, mesh.EdgeSlots - sourceEdge.Count));
                     }
                 }
                 obtuse = Find(mesh, angle);
-                if (splits == before)
+                if (feet.Count == before)
                     break;
             }
-            return new(splits, passes, obtuse, [.. source]);
+            return new(feet.Count, passes, obtuse, [.. source], feet);
         }
     }
 
@@ -124,12 +140,12 @@ public static class ObtuseSplit
 
     private static double LengthSquared(HalfEdge h) => Vector3D.DistanceSquared(h.Source.Position, h.Target.Position);
 
-    /// <summary>The foot of the altitude: inside the edge, because the angles at its ends are acute.</summary>
-    private static Vector3D Foot(HalfEdge opposite)
+    /// <summary>Where on the edge the foot of the altitude lies: inside, because the angles at its ends are acute.</summary>
+    private static double Foot(HalfEdge opposite)
     {
         Vector3D a = opposite.Source.Position, ab = opposite.Target.Position - a, ac = opposite.Next.Target.Position - a;
         double t = Vector3D.Dot(ac, ab) / ab.LengthSquared;
         // A triangle so thin that rounding puts the foot on an end is cut in the middle.
-        return a + ab * (t is > 1e-12 and < 1 - 1e-12 ? t : 0.5);
+        return t is > 1e-12 and < 1 - 1e-12 ? t : 0.5;
     }
 }

@@ -18,7 +18,11 @@ internal static class RegionRemoval
     }
 
     /// <summary>Deletes the faces, the edges that lose both faces and, if wanted, the vertices that lose all; splits the vertices that would be bow-ties.</summary>
-    public static void Remove(Mesh mesh, IReadOnlyCollection<int> faces, RemovalOptions options)
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="faces">Live faces of it, each once.</param>
+    /// <param name="options">What becomes of orphans and bow-ties.</param>
+    /// <param name="copies">Gets, per new vertex, the one of which it is a copy.</param>
+    public static void Remove(Mesh mesh, IReadOnlyCollection<int> faces, RemovalOptions options, List<int>? copies = null)
     {
         List<int> vertices = VerticesOf(mesh, faces);
         var edges = new List<int>();
@@ -38,7 +42,11 @@ internal static class RegionRemoval
         foreach (int e in edges)
             RemoveBareEdge(mesh, e);
         foreach (int v in vertices)
+        {
+            int before = mesh.VertexSlots;
             Settle(mesh, v, options);
+            copies?.AddRange(Enumerable.Repeat(v, mesh.VertexSlots - before));
+        }
     }
 
     /// <summary>Takes an edge without faces out of the loops on both sides.</summary>
