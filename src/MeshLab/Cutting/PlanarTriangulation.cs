@@ -5,7 +5,8 @@ namespace MeshLab.Cutting;
 /// <summary>Triangulates outlines with holes in the plane over their own vertices: every rim edge is an edge of one triangle.</summary>
 /// <remarks>
 /// Every hole is joined to its outline by a bridge (Eberly 1998, 2008: the visible vertex to the right of the hole's rightmost one), then ears are clipped (Meisters 1975), each test with exact
-/// signs. Only reflex corners can lie in an ear; they are kept in a grid. About O(n √n) in practice, O(n²) at worst. Outlines that cross
+/// signs. Only reflex corners can lie in an ear; they are kept in a grid. About O(n √n) in practice, O(n²) at worst. Loops may touch each other in vertices: there two triangles without area join
+/// them. Outlines that cross
 /// themselves have no triangulation: then ears are forced, so that the result folds over, but its signed area and its rim are still those of the input.
 /// </remarks>
 internal sealed class PlanarTriangulation
@@ -52,7 +53,7 @@ internal sealed class PlanarTriangulation
             int around = -1;
             for (int j = 0; j < loops.Count; j++)
             {
-                if (area[j] > -area[i] && (around < 0 || area[j] < area[around]) && Holds(flat[j], flat[i]))
+                if (area[j] > -area[i] && (around < 0 || area[j] < area[around]) && PlanarPolygons.Holds(flat[j], flat[i]))
                     around = j;
             }
             if (around >= 0)
@@ -61,17 +62,6 @@ internal sealed class PlanarTriangulation
                 groups[i] = [loops[i]];
         }
         return [.. groups.Where(group => group is not null)];
-
-        // Loops may touch in a vertex, so that one point tells nothing.
-        static bool Holds(Vector2D[] outline, Vector2D[] hole)
-        {
-            foreach (Vector2D p in hole)
-            {
-                if (!outline.Contains(p))
-                    return PlanarPolygons.Contains(outline, p);
-            }
-            return true;
-        }
     }
 
     /// <summary>Joins a hole to the polygon by an edge there and back.</summary>
@@ -83,7 +73,7 @@ internal sealed class PlanarTriangulation
             if (points[hole[i]].X > points[hole[rightmost]].X)
                 rightmost = i;
         }
-        int at = VisibleFrom(polygon, points[hole[rightmost]]);
+        int at = VisibleFrom(polygon, points[hole[rightmost]], points[hole[(rightmost + 1) % hole.Length]]);
         bool found = at >= 0;
         if (!found)
             at = Nearest(polygon, points[hole[rightmost]]);
@@ -96,7 +86,7 @@ internal sealed class PlanarTriangulation
     }
 
     /// <summary>The place in the polygon of a vertex that a point inside sees, to its right; −1 if the ray meets no edge.</summary>
-    private int VisibleFrom(List<int> polygon, Vector2D m)
+    private int VisibleFrom(List<int> polygon, Vector2D m, Vector2D afterM)
     {
         int edge = -1;
         double nearest = double.PositiveInfinity;
@@ -120,7 +110,7 @@ internal sealed class PlanarTriangulation
         int candidate = points[polygon[edge]].X > points[polygon[next]].X ? edge : next;
         Vector2D hit = new(nearest, m.Y), p = points[polygon[candidate]];
         if (p.Y == m.Y && p.X == nearest)
-            return BestCopy(polygon, candidate, m);
+            return BestCopy(polygon, candidate, p == m ? afterM : m);
         // Reflex corners in the triangle m, hit, p hide p; the one nearest in direction to the ray is seen.
         double bestSlope = double.PositiveInfinity, bestDistance = 0;
         int best = candidate;
@@ -245,8 +235,8 @@ internal sealed class PlanarTriangulation
                 previous[b] = a;
                 next[at] = -1;
                 left--;
-                // Going on behind the next corner makes rounder triangles than a fan would be.
-                at = next[b];
+                // Where loops touch, what has no area goes at once: later it would hide behind its other half. Else going on behind the next corner makes rounder triangles than a fan would be.
+                at = IsBare(a) ? a : IsBare(b) ? b : next[b];
             }
             Emit(corners, previous[at], at, next[at]);
             return sound && Turn(at) >= 0;
@@ -254,12 +244,14 @@ internal sealed class PlanarTriangulation
 
         private bool IsEar(int at)
         {
-            if (Turn(at) <= 0)
-                return false;
             int before = previous[at], after = next[at];
-            Vector2D a = points[vertex[before]], b = points[vertex[at]], c = points[vertex[after]];
             if (vertex[before] == vertex[after])
                 return false;
+            if (IsBare(at))
+                return true;
+            if (Turn(at) <= 0)
+                return false;
+            Vector2D a = points[vertex[before]], b = points[vertex[at]], c = points[vertex[after]];
             int x0 = Column(Math.Min(a.X, Math.Min(b.X, c.X))), x1 = Column(Math.Max(a.X, Math.Max(b.X, c.X)));
             int y0 = Row(Math.Min(a.Y, Math.Min(b.Y, c.Y))), y1 = Row(Math.Max(a.Y, Math.Max(b.Y, c.Y)));
             for (int y = y0; y <= y1; y++)
@@ -273,6 +265,13 @@ internal sealed class PlanarTriangulation
             return true;
         }
 
+        /// <summary>Whether two vertices of a corner lie in one place, so that its triangle is an edge there and back.</summary>
+        private bool IsBare(int at)
+        {
+            Vector2D a = points[vertex[previous[at]]], b = points[vertex[at]], c = points[vertex[next[at]]];
+            return (a == b || b == c || c == a) && vertex[previous[at]] != vertex[next[at]];
+        }
+
         private bool Blocks(List<int> cell, int before, int at, int after, Vector2D a, Vector2D b, Vector2D c)
         {
             foreach (int i in cell)
@@ -280,13 +279,28 @@ internal sealed class PlanarTriangulation
                 if (next[i] < 0 || i == before || i == at || i == after)
                     continue;
                 Vector2D p = points[vertex[i]];
-                if (p == a || p == b || p == c || !InTriangle(a, b, c, p))
+                if (p == a || p == b || p == c)
+                {
+                    // Loops that touch here: the other one may go on inside.
+                    if (p == a ? Enters(i, a, b, c) : p == b ? Enters(i, b, c, a) : Enters(i, c, a, b))
+                        return true;
+                    continue;
+                }
+                if (!InTriangle(a, b, c, p))
                     continue;
                 // A corner that clipping has made convex cannot be the first to lie in an ear.
                 if (Turn(i) <= 0)
                     return true;
             }
             return false;
+        }
+
+        /// <summary>Whether an edge of a corner at the tip of a triangle leads into the triangle.</summary>
+        private bool Enters(int i, Vector2D tip, Vector2D right, Vector2D left)
+        {
+            return Leads(points[vertex[previous[i]]]) || Leads(points[vertex[next[i]]]);
+
+            bool Leads(Vector2D to) => ExactPredicates.Orient2D(tip, right, to) > 0 && ExactPredicates.Orient2D(tip, to, left) > 0;
         }
 
         /// <summary>What is cut off when no ear is left: a corner without area, else the first convex one, else any.</summary>

@@ -6,6 +6,8 @@ namespace MeshLab.Cutting;
 /// <summary>The work of cutting off one side: number the vertices that stay, then the points of the cut, then write the pieces of faces, then the caps.</summary>
 internal sealed class PlaneCutter
 {
+    private const int GridBits = 44;
+
     private readonly Mesh mesh;
     private readonly CuttingPlane plane;
     private readonly PlaneSide side;
@@ -255,12 +257,24 @@ internal sealed class PlaneCutter
             Vector3D p = positions[used[i]] - origin;
             flat[i] = new(Vector3D.Dot(p, x), Vector3D.Dot(p, y));
         }
+        SnapToGrid(flat);
         var triangles = new List<int>();
         bool sound = PlanarTriangulation.Triangulate(flat, flatLoops, triangles);
         // The cap looks away from the part: the rim of a piece is the cap's rim backwards.
         for (int i = 0; i < triangles.Count; i += 3)
             Write(-1, used[triangles[i]], used[triangles[i + 2]], used[triangles[i + 1]]);
         return sound;
+    }
+
+    /// <summary>Rounds away the last bits: points in which loops touch come from different edges, and become equal.</summary>
+    private static void SnapToGrid(Vector2D[] flat)
+    {
+        double extent = 0;
+        foreach (Vector2D p in flat)
+            extent = Math.Max(extent, Math.Max(Math.Abs(p.X), Math.Abs(p.Y)));
+        double step = extent > 0 ? Math.ScaleB(1, Math.ILogB(extent) - GridBits) : 1;
+        for (int i = 0; i < flat.Length; i++)
+            flat[i] = new(Math.Round(flat[i].X / step) * step, Math.Round(flat[i].Y / step) * step);
     }
 
     /// <summary>Whether the caps, which begin where the other faces end, use a vertex or an edge twice.</summary>

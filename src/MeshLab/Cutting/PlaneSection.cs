@@ -91,7 +91,7 @@ public static class PlaneSection
         return Vector3D.Dot(sum, plane.Normal) / 2;
     }
 
-    /// <summary>Finds what lies within what: a line lies within a closed one if one of its points does.</summary>
+    /// <summary>Finds what lies within what: a line lies within a closed one if its points do, those on the rim apart.</summary>
     private static void Nest(List<SectionPolyline> lines, CuttingPlane plane)
     {
         (Vector3D x, Vector3D y) = plane.Axes();
@@ -101,7 +101,7 @@ public static class PlaneSection
             int depth = 0, parent = -1;
             for (int j = 0; j < lines.Count; j++)
             {
-                if (j == i || !lines[j].IsClosed || (lines[i].IsClosed && Math.Abs(lines[j].Area) <= Math.Abs(lines[i].Area)) || !PlanarPolygons.Contains(flat[j], flat[i][0]))
+                if (j == i || !lines[j].IsClosed || (lines[i].IsClosed && Math.Abs(lines[j].Area) <= Math.Abs(lines[i].Area)) || !PlanarPolygons.Holds(flat[j], flat[i]))
                     continue;
                 depth++;
                 if (parent < 0 || Math.Abs(lines[j].Area) < Math.Abs(lines[parent].Area))

@@ -23,6 +23,7 @@ public class EdgeCuttingTests
         Assert.Equal(7, cut.Copies[7][0]);
         Assert.All(cut.Copies[7], copy => Assert.Equal(7, cut.SourceVertex[copy]));
         Assert.Equal(Enumerable.Range(0, 8), cut.SourceFace);
+        Assert.Equal(Enumerable.Range(0, 8), cut.NewFace);
         Assert.Equal(mesh.Area, cut.Mesh.Area, 1e-14);
         Assert.Empty(cut.Uncut);
         Assert.Empty(cut.Mesh.Validate());

@@ -28,6 +28,23 @@ public class FaceDetachmentTests
         Assert.Equal(1, grid.Area, 1e-14);
     }
 
+    [Fact]
+    public void Detach_Diagonal_NamesTheCopiesOnBothSides()
+    {
+        // Two squares of four that meet in the middle alone, on either side.
+        Mesh grid = Models.QuadGrid(2, 2);
+        MeshPart part = grid.Detach([grid.Faces[0], grid.Faces[3]]);
+        Assert.Equal(2, part.SourceVertex.Count(v => v == 4));
+        Assert.Equal(Array.IndexOf(part.SourceVertex, 4), part.NewVertex[4]);
+        Assert.Equal([0, 3], part.SourceFace);
+        Assert.Equal([0, -1, -1, 1], part.NewFace);
+        Assert.All(part.SourceEdge, e => Assert.Equal(-1, e));
+        Assert.Equal([4], part.CopiesLeftBehind);
+        Assert.Equal(grid.Positions[4], grid.Positions[9]);
+        Assert.Empty(grid.Validate());
+        Assert.Empty(part.Mesh.Validate());
+    }
+
     [Theory]
     [MemberData(nameof(Models.All), MemberType = typeof(Models))]
     public void Detach_EveryOtherFace_BothStayManifolds(string name)

@@ -22,6 +22,9 @@ public class ObtuseSplitTests
         Assert.Equal(0.2, mesh.Area, 1e-15);
         Assert.Equal([0, 0], result.SourceFace);
         Assert.Equal([0, 1], result.Pieces.Single());
+        ObtuseFoot foot = result.Feet.Single();
+        Assert.Equal((3, mesh.FindEdge(mesh.Vertices[0], mesh.Vertices[3]).Index), (foot.Vertex, foot.SourceEdge));
+        Assert.Equal((0, 1, 0.25), foot.From == 0 ? (foot.From, foot.To, foot.Parameter) : (foot.To, foot.From, 1 - foot.Parameter));
         Assert.Empty(mesh.Validate());
     }
 
@@ -37,6 +40,16 @@ public class ObtuseSplitTests
         Assert.Equal(mesh.Faces.Where(f => f.Triangle.MaxAngle > Math.PI * 110 / 180 + 1e-12).Select(f => f.Index).Order(), result.Remaining.Select(f => f.Index).Where(f => mesh.Faces[f].Triangle.MaxAngle > Math.PI * 110 / 180 + 1e-12).Order());
         Assert.Equal(area, mesh.Faces.Count == 0 ? 0 : mesh.Area, 1e-9 * (1 + area));
         Assert.Empty(mesh.Validate());
+        // Every new vertex lies where it was made: on an edge of that moment, and that on an old edge or inside an old face.
+        Assert.Equal(Enumerable.Range(old.VertexSlots, result.Splits), result.Feet.Select(foot => foot.Vertex));
+        foreach (ObtuseFoot foot in result.Feet)
+        {
+            Assert.True(foot.From < foot.Vertex && foot.To < foot.Vertex);
+            Vector3D p = mesh.Positions[foot.Vertex];
+            Assert.Equal(Vector3D.Lerp(mesh.Positions[foot.From], mesh.Positions[foot.To], foot.Parameter), p);
+            bool onOldEdge = old.Edges.Any(e => IsOn(e, p, 1e-12 * (1 + area)));
+            Assert.True(foot.SourceEdge < 0 ? !onOldEdge || area < 1e-9 : IsOn(old.Edges[foot.SourceEdge], p, 1e-12 * (1 + area)), $"{foot}");
+        }
         // The pieces of a face make it up.
         Assert.Equal(mesh.FaceSlots, result.SourceFace.Length);
         Assert.Equal(mesh.Faces.Count, result.Pieces.Sum(pieces => pieces.Count));
@@ -45,6 +58,24 @@ public class ObtuseSplitTests
             Assert.Equal(f.Index, result.Pieces[f.Index][0]);
             Assert.Equal(f.Area, result.Pieces[f.Index].Sum(piece => mesh.Faces[piece].Area), 1e-12 * (1 + area));
         }
+    }
+
+    [Fact]
+    public void SplitObtuse_AltitudeSplitAgain_NamesNoOldEdge()
+    {
+        // Splitting at more than 95° goes on inside the first halves.
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(1, 0, 0), new(0.5, 0.05, 0), new(0.5, -3, 0)], [0, 1, 2, 1, 0, 3]);
+        Mesh old = mesh.Clone();
+        ObtuseSplitResult result = mesh.SplitObtuse(Math.PI * 91 / 180);
+        Assert.Contains(result.Feet, foot => foot.SourceEdge >= 0);
+        Assert.All(result.Feet, foot => Assert.Equal(foot.SourceEdge >= 0, old.Edges.Any(e => IsOn(e, mesh.Positions[foot.Vertex], 1e-12))));
+        Assert.Empty(mesh.Validate());
+    }
+
+    private static bool IsOn(Edge edge, Vector3D p, double limit)
+    {
+        Vector3D a = edge.Vertex0.Position, b = edge.Vertex1.Position;
+        return Vector3D.Distance(a, p) + Vector3D.Distance(p, b) - Vector3D.Distance(a, b) <= limit;
     }
 
     [Fact]

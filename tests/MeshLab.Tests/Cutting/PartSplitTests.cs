@@ -24,6 +24,8 @@ public class PartSplitTests
         {
             Assert.Equal(1, part.Mesh.ComponentCount);
             Assert.Empty(part.Mesh.Validate());
+            Assert.All(part.Mesh.Faces, f => Assert.Equal(f.Index, part.NewFace[part.SourceFace[f.Index]]));
+            Assert.All(part.Mesh.Vertices, v => Assert.Equal(v.Index, part.NewVertex[part.SourceVertex[v.Index]]));
             Assert.True(part.Mesh.TryGetVertexTrait("number", out VertexTrait<int>? kept));
             Assert.All(part.Mesh.Vertices, v => Assert.Equal(part.SourceVertex[v.Index], kept![v]));
             whole.Append(part.Mesh);

@@ -23,12 +23,19 @@ public class PlanarTriangulationTests
     {
         // The hole has the outline's corner point, as a vertex of its own.
         Vector2D[] points = [new(0, 0), new(4, 0), new(4, 4), new(0, 4), new(0, 0), new(1, 2), new(2, 1)];
-        // What touches may leave triangles without area, or be called unsound; the rim and the signed area are right all the same.
-        var corners = new List<int>();
-        PlanarTriangulation.Triangulate(points, [[0, 1, 2, 3], [4, 5, 6]], corners);
-        AssertEdges([[0, 1, 2, 3], [4, 5, 6]], corners);
-        Assert.Equal(7, corners.Count / 3);
-        Assert.Equal(2 * (16 - 1.5), corners.Chunk(3).Sum(t => Cross(points, t)), 1e-12);
+        AssertTriangulation(points, [[0, 1, 2, 3], [4, 5, 6]], 16 - 1.5, triangles: 7);
+    }
+
+    [Fact]
+    public void Triangulate_HolesThatTouchVerticesOfAnything_CoverTheirArea()
+    {
+        // Each with a vertex of its own where it touches: a wall's middle, both ends of a diagonal, by its rightmost vertex, another hole.
+        AssertTriangulation([new(0, 0), new(2, 0), new(4, 0), new(4, 4), new(0, 4), new(2, 0), new(1, 2), new(3, 2)], [[0, 1, 2, 3, 4], [5, 6, 7]], 14, triangles: 8);
+        AssertTriangulation([new(0, 0), new(4, 0), new(4, 4), new(0, 4), new(0, 0), new(1, 3), new(4, 4), new(3, 1)], [[0, 1, 2, 3], [4, 5, 6, 7]], 8, triangles: 8);
+        AssertTriangulation([new(0, 0), new(4, 0), new(4, 4), new(0, 4), new(4, 4), new(2, 1), new(1, 2)], [[0, 1, 2, 3], [4, 5, 6]], 13.5, triangles: 7);
+        AssertTriangulation(
+            [new(0, 0), new(4, 0), new(4, 4), new(0, 4), new(1, 1), new(1, 2), new(2, 2), new(2, 1), new(2, 2), new(2, 3), new(3, 3), new(3, 2)],
+            [[0, 1, 2, 3], [4, 5, 6, 7], [8, 9, 10, 11]], 14, triangles: 14);
     }
 
     [Theory]

@@ -164,7 +164,18 @@ public class PlaneCutTests
         foreach (Edge e in mesh.Edges)
             edge[e] = e.Index;
 
-        MeshPart part = mesh.Clip(new(new(1, 1, 2), 0.1), PlaneSide.Above, Capped).Part;
+        var plane = new CuttingPlane(new(1, 1, 2), 0.1);
+        MeshPart part = mesh.Clip(plane, PlaneSide.Above, Capped).Part;
+        // Every vertex is an old one, or lies on an old edge and on the plane.
+        foreach (Vertex v in part.Mesh.Vertices)
+        {
+            Assert.NotEqual(part.SourceVertex[v.Index] < 0, part.SourceEdge[v.Index] < 0);
+            if (part.SourceEdge[v.Index] < 0)
+                continue;
+            Edge cut = mesh.Edges[part.SourceEdge[v.Index]];
+            Assert.Equal(0, plane.Distance(v.Position), 1e-14);
+            Assert.Equal(Vector3D.Distance(cut.Vertex0.Position, cut.Vertex1.Position), Vector3D.Distance(cut.Vertex0.Position, v.Position) + Vector3D.Distance(v.Position, cut.Vertex1.Position), 1e-14);
+        }
         Assert.True(part.Mesh.TryGetVertexTrait("height", out VertexTrait<double>? newHeight));
         Assert.All(part.Mesh.Vertices, v => Assert.Equal(v.Position.Z, newHeight![v], 1e-14));
         Assert.True(part.Mesh.TryGetFaceTrait("number", out FaceTrait<int>? newNumber));
