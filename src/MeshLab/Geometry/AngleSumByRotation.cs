@@ -36,24 +36,13 @@ internal struct AngleSumByRotation : ICornerSum
         if (size is > 1e-100 and < 1e100)
             (re, im) = (x, y);
         else
-            (re, im, halfTurns) = Rescaled(x, y, size, dot, cross);
+            (re, im, halfTurns) = Rescaled(x, y, size);
     }
 
     /// <summary>That many half turns less the sum.</summary>
     public readonly double MissingTo(int turns) => (turns - halfTurns) * Math.PI - Math.Atan2(im, re);
 
-    /// <summary>Out of the loop, and without a reference to the sums, so that they can stay in registers.</summary>
-    private readonly (double Re, double Im, int HalfTurns) Rescaled(double x, double y, double size, double dot, double cross)
-    {
-        if (size != 0)
-            return (x / size, y / size, halfTurns);
-        // Either a side has length zero, which makes no angle, or the product was too small for a double.
-        double factor = Math.Abs(dot) + cross;
-        if (!(factor > 0))
-            return (re, im, halfTurns);
-        (dot, cross) = (dot / factor, cross / factor);
-        (x, y) = (re * dot - im * cross, re * cross + im * dot);
-        bool turn = y < 0 || (y == 0 && x < 0);
-        return turn ? (-x, -y, halfTurns + 1) : (x, y, halfTurns);
-    }
+    /// <summary>Out of the loop, and without a reference to the sums, so that they can stay in registers. A side of length zero makes no angle.</summary>
+    private readonly (double Re, double Im, int HalfTurns) Rescaled(double x, double y, double size) =>
+        size == 0 ? (re, im, halfTurns) : (x / size, y / size, halfTurns);
 }

@@ -1,4 +1,5 @@
 using MeshLab.Geometry;
+using MeshLab.Numerics;
 using MeshLab.Structure;
 using Xunit;
 
@@ -135,5 +136,37 @@ public class AnglesTests
             };
             Assert.Equal(expected, qualities[11], 1e-12);
         }
+    }
+
+    [Fact]
+    public void AngleDefects_SideOfLengthZero_MakesNoAngle()
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(2, 0, 0), new(0, 2, 0), new(2, 0, 0)], [0, 1, 2, 1, 0, 3]);
+        double[] defects = mesh.ComputeAngleDefects();
+        Assert.Equal(Math.PI / 2, defects[0], 1e-15);
+        Assert.Equal(Math.PI * 3 / 4, defects[1], 1e-15);
+        Assert.Equal(Math.PI, defects[3], 1e-15);
+    }
+
+    /// <summary>The product of ten corners would be too small or too large for a double; it is scaled on the way.</summary>
+    [Theory]
+    [InlineData(1e-70)]
+    [InlineData(1e-20)]
+    [InlineData(1e20)]
+    [InlineData(1e70)]
+    public void AngleDefects_AnySize_AreThoseOfTheUnitMesh(double size)
+    {
+        // A vertex with ten spokes that go up and down: its angles add to more than a full turn.
+        List<Vector3D> positions = [default];
+        List<int> corners = [];
+        for (int i = 0; i < 10; i++)
+        {
+            positions.Add(new(Math.Cos(0.2 * Math.PI * i), Math.Sin(0.2 * Math.PI * i), i % 2 == 0 ? 1.5 : -1.5));
+            corners.AddRange([0, i + 1, 1 + ((i + 1) % 10)]);
+        }
+        double[] unit = MeshBuilder.FromTriangles([.. positions], [.. corners]).ComputeAngleDefects();
+        double[] scaled = MeshBuilder.FromTriangles([.. positions.Select(p => p * size)], [.. corners]).ComputeAngleDefects();
+        Assert.InRange(unit[0], -20, -4 * Math.PI);
+        Assert.All(unit.Zip(scaled), pair => Assert.Equal(pair.First, pair.Second, 1e-13));
     }
 }

@@ -101,4 +101,31 @@ public class AreasTests
 
     internal static Mesh Tetrahedron() => MeshBuilder.FromTriangles(
         [new(1, 1, 1), new(1, -1, -1), new(-1, 1, -1), new(-1, -1, 1)], [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2]);
+
+    /// <summary>The fourth vertex lies on the side, or at one of its ends.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(0)]
+    [InlineData(2)]
+    public void VertexAreas_ZeroAreaFace_GivesNothingToItsCorners(double x)
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(2, 0, 0), new(0, 2, 0), new(x, 0, 0)], [0, 1, 2, 1, 0, 3]);
+        Mesh alone = MeshBuilder.FromTriangles([new(0, 0, 0), new(2, 0, 0), new(0, 2, 0)], [0, 1, 2]);
+        foreach (Func<Mesh, double[]> areas in (Func<Mesh, double[]>[])[m => m.ComputeVoronoiAreas(), m => m.ComputeMixedAreas(), m => m.ComputeBarycentricAreas()])
+            Assert.Equal([.. areas(alone), 0], areas(mesh));
+    }
+
+    [Theory]
+    [MemberData(nameof(Models.All), MemberType = typeof(Models))]
+    public void Barycenter_AnyFace_IsTheMeanOfItsCorners(string name)
+    {
+        Mesh mesh = Models.Create(name);
+        Vector3D[] all = mesh.ComputeFaceBarycenters();
+        foreach (Face f in mesh.Faces)
+        {
+            Vector3D mean = f.Vertices.Aggregate(default(Vector3D), (sum, v) => sum + v.Position) / f.Degree;
+            Assert.True(Vector3D.Distance(mean, f.Barycenter) <= 1e-15 * (1 + mean.Length), $"{f}");
+            Assert.True(Vector3D.Distance(mean, all[f.Index]) <= 1e-15 * (1 + mean.Length), $"{f}");
+        }
+    }
 }

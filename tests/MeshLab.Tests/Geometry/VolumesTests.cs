@@ -60,4 +60,23 @@ public class VolumesTests
         Assert.Equal(0, mass.Volume);
         Assert.True(double.IsNaN(mass.SurfaceCentroid.X));
     }
+
+    /// <summary>A box of sides a, b, c has the principal moments V(b² + c²)/12, …; turned by R the tensor is R diag Rᵀ, with all products.</summary>
+    [Fact]
+    public void Inertia_TurnedBox_HasTheTurnedTensor()
+    {
+        double[] side = [1, 2, 4], moment = [8 * 20 / 12.0, 8 * 17 / 12.0, 8 * 5 / 12.0];
+        Vector3D[] axes = [new Vector3D(2, 1, 2) / 3, new Vector3D(-2, 2, 1) / 3, new Vector3D(-1, -2, 2) / 3];
+        Mesh box = Cube(new(-0.5, -0.5, -0.5));
+        foreach (ref Vector3D p in box.Positions)
+            p = new Vector3D(10, -20, 30) + (side[0] * p.X * axes[0]) + (side[1] * p.Y * axes[1]) + (side[2] * p.Z * axes[2]);
+        InertiaTensor inertia = box.ComputeMassProperties().Inertia;
+        double Tensor(int i, int j) => Enumerable.Range(0, 3).Sum(k => moment[k] * axes[k][i] * axes[k][j]);
+        Assert.Equal(Tensor(0, 0), inertia.XX, 1e-12);
+        Assert.Equal(Tensor(1, 1), inertia.YY, 1e-12);
+        Assert.Equal(Tensor(2, 2), inertia.ZZ, 1e-12);
+        Assert.Equal(Tensor(0, 1), inertia.XY, 1e-12);
+        Assert.Equal(Tensor(1, 2), inertia.YZ, 1e-12);
+        Assert.Equal(Tensor(2, 0), inertia.ZX, 1e-12);
+    }
 }

@@ -49,7 +49,9 @@ public class ClosestPointTests
     [Fact]
     public void FindClosest_AllVerticesInOnePlace_IsTheDistanceToIt()
     {
-        ClosestPoint found = FaceTree.Build([new(1, 2, 3), new(1, 2, 3), new(1, 2, 3)], [0, 1, 2]).FindClosest(new(4, 6, 3));
+        // Of many faces, so that there are boxes without size to choose from.
+        ClosestPoint found = FaceTree.Build([.. Enumerable.Repeat(new Vector3D(1, 2, 3), 300)], [.. Enumerable.Range(0, 300)]).FindClosest(new(4, 6, 3));
+        Assert.Equal(0, found.Face);
         Assert.Equal(5, found.Distance);
         Assert.Equal(new Vector3D(1, 2, 3), found.Point);
     }

@@ -107,14 +107,17 @@ public class TraitTransferTests
     {
         Mesh source = MeshBuilder.FromTriangles([default, new(1, 0, 0), new(0, 1, 0)], [0, 1, 2]);
         VertexTrait<string> name = source.AddVertexTrait("name", "none");
+        VertexTrait<int> first = source.AddVertexTrait("first", -1, (one, _, _) => one);
         foreach (Vertex v in source.Vertices)
-            name[v] = v.ToString();
+            (name[v], first[v]) = (v.ToString(), v.Index);
         Mesh mesh = MeshBuilder.FromTriangles([new(x, y, 0.5), new(x + 5, y, 0.5), new(x, y + 5, 0.5)], [0, 1, 2]);
 
         mesh.TakeTraitsFrom(source);
 
         Assert.True(mesh.TryGetVertexTrait("name", out VertexTrait<string>? taken));
         Assert.Equal($"v{largest}", taken[mesh.Vertices[0]]);
+        Assert.True(mesh.TryGetVertexTrait("first", out VertexTrait<int>? index));
+        Assert.Equal(largest, index[mesh.Vertices[0]]);
     }
 
     [Fact]
