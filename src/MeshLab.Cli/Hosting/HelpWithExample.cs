@@ -11,7 +11,9 @@ internal sealed class HelpWithExample(HelpAction usual) : SynchronousCommandLine
 
     public override int Invoke(ParseResult parseResult)
     {
-        int status = usual.Invoke(parseResult);
+        int status;
+        lock (MlabApp.Grammar)
+            status = usual.Invoke(parseResult);
         Verb? verb = MlabApp.Verbs.FirstOrDefault(v => v.Name == parseResult.CommandResult.Command.Name);
         if (verb is not null)
             parseResult.InvocationConfiguration.Output.WriteLine($"Example:\n  mlab {verb.Example}\n");

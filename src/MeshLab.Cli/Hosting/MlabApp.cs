@@ -19,6 +19,9 @@ internal static class MlabApp
             .OrderBy(verb => verb.Name, StringComparer.Ordinal),
     ];
 
+    /// <summary>Held while the grammar is built or read: the verbs and their options are the same objects in every call, and know the commands that they belong to.</summary>
+    public static Lock Grammar { get; } = new();
+
     public static int Run(string[] args, TextWriter output, TextWriter error, CancellationToken cancellationToken = default) =>
         Run(args, output, error, StandardStreams.OfConsole, cancellationToken);
 
@@ -27,8 +30,9 @@ internal static class MlabApp
         // Numbers in options are read the same everywhere.
         CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;
         int status = 0;
-        RootCommand root = BuildRoot((verb, parsed) => status = RunVerb(verb, parsed, output, error, streams, cancellationToken));
-        ParseResult parsed = root.Parse(args);
+        ParseResult parsed;
+        lock (Grammar)
+            parsed = BuildRoot((verb, result) => status = RunVerb(verb, result, output, error, streams, cancellationToken)).Parse(args);
         if (parsed.Action is ParseErrorAction)
             return Report(CliErrorOf(parsed, args), args.Contains("--json"), null, false, output, error);
         var configuration = new InvocationConfiguration { Output = output, Error = error, EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };

@@ -171,6 +171,19 @@ public sealed class FieldContractTests : IDisposable
         Assert.Equal(results[0], results[1]);
     }
 
+    [Fact]
+    public void Help_FromManyThreads_IsThatOfOne()
+    {
+        string alone = CliCall.Run("values", "--help").Output;
+        Parallel.For(0, 400, i =>
+        {
+            CliCall call = CliCall.Run(i % 2 == 0 ? "values" : "render", "--help");
+            Assert.Equal(0, call.Status);
+            if (i % 2 == 0)
+                Assert.Equal(alone, call.Output);
+        });
+    }
+
     public static TheoryData<string> VerbNames => [.. MlabApp.Verbs.Select(verb => verb.Name)];
 
     [Theory]
