@@ -1,8 +1,10 @@
 using System.CommandLine;
 using System.Globalization;
 using MeshLab.Cli.Hosting;
+using MeshLab.Numerics;
 using MeshLab.Simplification;
 using MeshLab.Structure;
+using MeshLab.Visualization;
 
 namespace MeshLab.Cli.Verbs;
 
@@ -12,6 +14,8 @@ internal sealed class DistanceVerb : Verb
     private readonly Argument<string> second = InputArgument("B");
     private readonly Option<int> samples = new("--samples") { Description = "Points spread over each surface by area.", DefaultValueFactory = _ => 100_000 };
     private readonly Option<bool> deterministic = new("--deterministic") { Description = "Edge midpoints and face barycentres in place of random points." };
+
+    private readonly Option<string> colors = new("--colors") { Description = "Write A to a file (.ply, .off, .obj, .glb), each vertex coloured by its distance from B." };
 
     public override string Name => "distance";
 
@@ -25,6 +29,7 @@ internal sealed class DistanceVerb : Verb
         command.Arguments.Add(second);
         command.Options.Add(samples);
         command.Options.Add(deterministic);
+        command.Options.Add(colors);
     }
 
     public override void Run(VerbContext context)
@@ -41,9 +46,23 @@ internal sealed class DistanceVerb : Verb
             .Add("backward", Fields(report.Backward))
             .Add("hausdorff", report.Hausdorff)
             .Add("diagonal", report.Diagonal);
+        if (context.Has(colors))
+            WriteColored(context, a, b);
         context.Table("Distance", ["", "mean", "rms", "max", "max / diagonal"], [Row("A to B", report.Forward), Row("B to A", report.Backward)]);
 
         string[] Row(string name, DistanceStatistics way) => [name, Text(way.Mean), Text(way.Rms), Text(way.Max), Text(way.Max / report.Diagonal)];
+    }
+
+    /// <summary>Dark is on the other surface, light the farthest away.</summary>
+    private void WriteColored(VerbContext context, Mesh a, Mesh b)
+    {
+        double[] distances = context.Time(() => a.VertexDistancesTo(b, context.Progress("colours"), context.CancellationToken));
+        double farthest = distances.Where(double.IsFinite).DefaultIfEmpty(0).Max();
+        VertexTrait<Color> trait = a.GetOrAddVertexTrait<Color>(TraitNames.Color, default);
+        foreach (Vertex v in a.Vertices)
+            trait[v] = ColorMap.Viridis.Sample(farthest > 0 ? distances[v.Index] / farthest : 0);
+        context.WriteMesh(a, context.Get(colors));
+        context.Result.Add("farthestVertex", farthest);
     }
 
     private static ResultFields Fields(DistanceStatistics way) => new ResultFields().Add("mean", way.Mean).Add("rms", way.Rms).Add("max", way.Max);

@@ -26,14 +26,15 @@ internal sealed class ProgressiveVerb : Verb
 
     public override void Run(VerbContext context)
     {
-        ProgressiveMesh progressive = ProgressiveMeshFile.Load(context.Get(input));
+        ProgressiveMesh progressive = ProgressiveMeshFile.Load(context.Get(input), cancellationToken: context.CancellationToken);
         context.SetInput(Counts(progressive.Mesh));
         int wanted = context.Has(faces) ? context.Get(faces) : progressive.MaxFaces;
         if (wanted < progressive.MinFaces || wanted > progressive.MaxFaces)
             throw new UsageException($"--faces {wanted}: the file has levels from {progressive.MinFaces} to {progressive.MaxFaces} faces");
+        IProgress<double>? progress = context.Progress("refining");
         Mesh level = context.Time(() =>
         {
-            progressive.GoToFaces(wanted);
+            progressive.GoToFaces(wanted, progress, context.CancellationToken);
             Mesh copy = progressive.Mesh.Clone();
             copy.Compact();
             return copy;

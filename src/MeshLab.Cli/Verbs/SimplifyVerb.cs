@@ -30,6 +30,17 @@ internal sealed class SimplifyVerb : Verb
 
     private readonly Option<bool> allowFlips = new("--allow-flips") { Description = "Faces may turn over." };
     private readonly Option<double> featureAngle = new("--feature-angle") { Description = "For qem: keep edges that bend by more than so many degrees." };
+
+    private readonly Option<string> placement = new("--placement")
+    {
+        Description = "For qem: where new vertices lie: optimal, segment (on the edge) or endpoint (at an end of it).",
+        DefaultValueFactory = _ => "optimal",
+    };
+
+    private readonly Option<bool> noAreaWeights = new("--no-area-weights") { Description = "For qem: every plane weighs the same." };
+    private readonly Option<double> boundaryWeight = new("--boundary-weight") { Description = "For qem: the weight of the planes that hold boundaries, features and seams.", DefaultValueFactory = _ => 10 };
+    private readonly Option<bool> ignoreSeams = new("--ignore-seams") { Description = "For qem: texture seams need not be kept." };
+    private readonly Option<bool> ignoreLabels = new("--ignore-labels") { Description = "For qem: borders of materials and groups need not be kept." };
     private readonly Option<bool> keepTopology = new("--keep-topology") { Description = "For clustering: only contract legal edges within a cell." };
     private readonly Option<bool> quadric = new("--quadric-optimum") { Description = "For clustering: the quadric's optimum in place of the mean." };
     private readonly Option<string> trace = new("--trace") { Description = "Write every step to a file, a line of JSON each: contractions, or cells." };
@@ -45,9 +56,10 @@ internal sealed class SimplifyVerb : Verb
     {
         method.AcceptOnlyFromAmong("qem", "qem-accurate", "qem-textbook", "clustering", "shortest-edge", "smallest-triangle", "lowest-curvature");
         boundary.AcceptOnlyFromAmong("free", "weighted", "locked");
+        placement.AcceptOnlyFromAmong("optimal", "segment", "endpoint");
         command.Arguments.Add(input);
         command.Arguments.Add(output);
-        foreach (Option option in (Option[])[method, faces, ratio, maxError, cellSize, cells, boundary, allowFlips, featureAngle, keepTopology, quadric, trace, record])
+        foreach (Option option in (Option[])[method, faces, ratio, maxError, cellSize, cells, boundary, allowFlips, featureAngle, placement, noAreaWeights, boundaryWeight, ignoreSeams, ignoreLabels, keepTopology, quadric, trace, record])
             command.Options.Add(option);
     }
 
@@ -92,7 +104,9 @@ internal sealed class SimplifyVerb : Verb
             throw new UsageException($"--cells {context.Get(cells)}: not positive");
         if (context.Has(featureAngle) && !(context.Get(featureAngle) > 0 && context.Get(featureAngle) <= 180))
             throw new UsageException($"--feature-angle {context.Get(featureAngle)}: not in (0, 180]");
-        foreach (Option option in (Option[])[maxError, featureAngle, record])
+        if (context.Has(boundaryWeight) && !(context.Get(boundaryWeight) >= 0 && double.IsFinite(context.Get(boundaryWeight))))
+            throw new UsageException($"--boundary-weight {context.Get(boundaryWeight)}: not a number from 0");
+        foreach (Option option in (Option[])[maxError, featureAngle, placement, noAreaWeights, boundaryWeight, ignoreSeams, ignoreLabels, record])
         {
             if (!isQem && context.Has(option))
                 throw new UsageException($"{option.Name} goes with the qem methods, not {way}");
@@ -110,12 +124,17 @@ internal sealed class SimplifyVerb : Verb
             TargetRatio = context.Has(ratio) ? context.Get(ratio) : null,
             MaxError = context.Has(maxError) ? context.Get(maxError) : null,
             Boundary = Enum.Parse<BoundaryTreatment>(context.Get(boundary), ignoreCase: true),
+            BoundaryWeight = context.Get(boundaryWeight),
+            AreaWeights = !context.Get(noAreaWeights),
+            Placement = Enum.Parse<VertexPlacement>(context.Get(placement), ignoreCase: true),
+            KeepTextureSeams = !context.Get(ignoreSeams),
+            KeepLabelBorders = !context.Get(ignoreLabels),
             AllowFlips = context.Get(allowFlips),
             FeatureAngle = context.Has(featureAngle) ? double.DegreesToRadians(context.Get(featureAngle)) : null,
         };
         CheckCount(context, mesh);
         if (context.Has(record))
-            ProgressiveMesh.Create(mesh, options, cancellationToken: context.CancellationToken).Save(context.Get(record));
+            ProgressiveMesh.Create(mesh, options, cancellationToken: context.CancellationToken).Save(context.Get(record), cancellationToken: context.CancellationToken);
         options = options with { Trace = lines };
         return context.Time(() => mesh.Simplify(options, context.Progress("simplifying"), context.CancellationToken));
     }

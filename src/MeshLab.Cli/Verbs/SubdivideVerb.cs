@@ -54,6 +54,7 @@ internal sealed class SubdivideVerb : Verb
         {
             Trace = lines,
             Steps = context.Get(steps),
+            ToLimit = context.Get(limit),
             Weights = name == "loop-warren" ? LoopWeights.Warren : LoopWeights.Loop1987,
         };
         IProgress<double>? progress = context.Progress("subdividing");
@@ -63,21 +64,12 @@ internal sealed class SubdivideVerb : Verb
         {
             if (context.Get(creaseAngle) is { } degrees)
                 creases = Creases.SetByAngle(mesh, degrees * Math.PI / 180);
-            Mesh result = mesh.Subdivide(SchemeOf(name), options, out report, progress, context.CancellationToken);
-            if (context.Get(limit))
-                MoveToLimit(result, name, options.Weights);
-            return result;
+            return mesh.Subdivide(SchemeOf(name), options, out report, progress, context.CancellationToken);
         });
         context.WriteMesh(finer, context.Get(output));
         context.Result.Add("stopReason", report!.StopReason == SubdivisionStop.StepsDone ? "steps-done" : "nothing-to-do").Add("scheme", name).Add("steps", options.Steps).Add("limit", context.Get(limit));
         if (context.Get(creaseAngle) is not null)
             context.Result.Add("creases", creases);
-    }
-
-    private static void MoveToLimit(Mesh mesh, string name, LoopWeights weights)
-    {
-        LimitPoints points = name == "catmull-clark" ? LimitSurface.OfCatmullClark(mesh) : LimitSurface.OfLoop(mesh, weights);
-        points.Positions.CopyTo(mesh.Positions);
     }
 
     private static SubdivisionScheme SchemeOf(string name) => name switch

@@ -69,6 +69,8 @@ public sealed record MeshDistanceReport(DistanceStatistics Forward, DistanceStat
 /// </remarks>
 public static class MeshDistance
 {
+    private const int PointsPerReport = 1 << 15;
+
     extension(Mesh mesh)
     {
         /// <summary>The distance between this mesh and another in both directions.</summary>
@@ -79,14 +81,16 @@ public static class MeshDistance
 
         /// <summary>The distance of every vertex from the surface of another mesh, to colour the error (误差着色). One value per vertex slot; NaN where a vertex is deleted.</summary>
         /// <param name="other">The mesh to measure to.</param>
+        /// <param name="progress">Told from 0 to 1 how far it is.</param>
         /// <param name="cancellationToken">Ends the measuring.</param>
         /// <exception cref="ArgumentException">The other mesh has no faces.</exception>
-        public double[] VertexDistancesTo(Mesh other, CancellationToken cancellationToken = default)
+        /// <exception cref="OperationCanceledException">The measuring was cancelled.</exception>
+        public double[] VertexDistancesTo(Mesh other, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
         {
             ArgumentNullException.ThrowIfNull(other);
             ThrowIfEmpty(other, nameof(other));
             int[] live = [.. mesh.Vertices.Select(v => v.Index)];
-            ClosestPoint[] closest = Closest(FaceTree.Build(other), PositionsOf(mesh, live), cancellationToken);
+            ClosestPoint[] closest = Closest(FaceTree.Build(other), PositionsOf(mesh, live), 0, 1, progress, cancellationToken);
             var distances = new double[mesh.VertexSlots];
             distances.AsSpan().Fill(double.NaN);
             for (int i = 0; i < live.Length; i++)
@@ -113,16 +117,15 @@ public static class MeshDistance
         options ??= new();
 
         FaceTree firstTree = FaceTree.Build(first), otherTree = FaceTree.Build(other);
-        DistanceStatistics forward = OneWay(SurfaceSamples.Of(first, firstTree, options), otherTree, cancellationToken);
-        progress?.Report(0.5);
-        DistanceStatistics backward = OneWay(SurfaceSamples.Of(other, otherTree, options), firstTree, cancellationToken);
-        progress?.Report(1);
+        DistanceStatistics forward = OneWay(SurfaceSamples.Of(first, firstTree, options), otherTree, 0, progress, cancellationToken);
+        DistanceStatistics backward = OneWay(SurfaceSamples.Of(other, otherTree, options), firstTree, 0.5, progress, cancellationToken);
         return new(forward, backward, firstTree.Bounds.Diagonal);
     }
 
-    private static DistanceStatistics OneWay(SurfaceSamples samples, FaceTree to, CancellationToken cancellationToken)
+    private static DistanceStatistics OneWay(
+        SurfaceSamples samples, FaceTree to, double done, IProgress<double>? progress, CancellationToken cancellationToken)
     {
-        ClosestPoint[] closest = Closest(to, samples.Points, cancellationToken);
+        ClosestPoint[] closest = Closest(to, samples.Points, done, 0.5, progress, cancellationToken);
         double sum = 0, squares = 0, weights = 0, max = 0;
         for (int i = 0; i < closest.Length; i++)
         {
@@ -135,10 +138,23 @@ public static class MeshDistance
         return new(sum / weights, Math.Sqrt(squares / weights), Math.Sqrt(max));
     }
 
-    private static ClosestPoint[] Closest(FaceTree tree, Vector3D[] points, CancellationToken cancellationToken)
+    /// <summary>Chunk by chunk, so that progress is told in between.</summary>
+    /// <param name="tree">The surface to measure to.</param>
+    /// <param name="points">The points to measure from.</param>
+    /// <param name="done">The part of the whole work that is done before.</param>
+    /// <param name="share">The part of the whole work that this is.</param>
+    /// <param name="progress">Told how far it is.</param>
+    /// <param name="cancellationToken">Ends the measuring.</param>
+    private static ClosestPoint[] Closest(
+        FaceTree tree, Vector3D[] points, double done, double share, IProgress<double>? progress, CancellationToken cancellationToken)
     {
         var closest = new ClosestPoint[points.Length];
-        tree.FindClosest(points, closest, cancellationToken);
+        for (int first = 0; first < points.Length; first += PointsPerReport)
+        {
+            int count = Math.Min(PointsPerReport, points.Length - first);
+            tree.FindClosest(points.AsMemory(first, count), closest.AsMemory(first, count), cancellationToken);
+            progress?.Report(done + share * (first + count) / points.Length);
+        }
         return closest;
     }
 

@@ -11,6 +11,7 @@ namespace MeshLab.Simplification;
 /// </remarks>
 public sealed class ProgressiveMesh
 {
+    private const int StepsPerReport = 1 << 10;
     private readonly SplitRecord[] records;
     private readonly Vector3D[] otherPositions;
     private readonly List<TraitDelta> deltas;
@@ -77,46 +78,69 @@ public sealed class ProgressiveMesh
         QuadricErrorMetric.Contract(contraction, options, target);
         cancellationToken.ThrowIfCancellationRequested();
         SimplificationResult report = QuadricErrorMetric.Report(contraction, target, copy.Faces.Count);
-        ProgressiveMesh result = Record(copy, contraction.Working, log, traits);
+        ProgressiveMesh result = Record(copy, contraction.Working, log, traits, cancellationToken);
         result.Recording = report;
         progress?.Report(1);
         return result;
     }
 
-    /// <summary>Goes down, or up, to the level nearest to a number of faces that does not exceed it.</summary>
+    /// <summary>Goes down, or up, to the level nearest to a number of faces that does not exceed it. O(steps · valence).</summary>
     /// <param name="faces">At least the base's.</param>
+    /// <param name="progress">Hears of the part of the way that is done, from 0 to 1.</param>
+    /// <param name="cancellationToken">Ends the way; the mesh is valid, at the level that was reached.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no level with so few faces, or the number is above the finest level's.</exception>
-    public void GoToFaces(int faces)
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public void GoToFaces(int faces, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(faces, MinFaces);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(faces, MaxFaces);
-        MeshCounts counts = Mesh.Counts;
-        while (counts.Faces > faces)
-            Collapse(ref counts);
-        while (CollapsesDone > firstKnown && counts.Faces + records[CollapsesDone - 1].Faces <= faces)
-            Split(ref counts);
-        Mesh.Counts = counts;
+        int level = CollapsesDone, left = FaceCount;
+        while (left > faces)
+            left -= records[level++].Faces;
+        while (level > firstKnown && left + records[level - 1].Faces <= faces)
+            left += records[--level].Faces;
+        GoToCollapse(level, progress, cancellationToken);
     }
 
-    /// <summary>Goes down, or up, until so many contractions are done.</summary>
+    /// <summary>Goes down, or up, until so many contractions are done. O(steps · valence).</summary>
+    /// <param name="collapses">How many.</param>
+    /// <param name="progress">Hears of the part of the way that is done, from 0 to 1.</param>
+    /// <param name="cancellationToken">Ends the way; the mesh is valid, at the level that was reached.</param>
     /// <exception cref="ArgumentOutOfRangeException">There are not so many, or those above are not read yet.</exception>
-    public void GoToCollapse(int collapses)
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public void GoToCollapse(int collapses, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(collapses, firstKnown);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(collapses, CollapseCount);
+        int start = CollapsesDone, way = Math.Abs(collapses - start);
         MeshCounts counts = Mesh.Counts;
-        while (CollapsesDone < collapses)
-            Collapse(ref counts);
-        while (CollapsesDone > collapses)
-            Split(ref counts);
+        for (int step = 0; step < way && !cancellationToken.IsCancellationRequested; step++)
+        {
+            if (collapses > start)
+                Collapse(ref counts);
+            else
+                Split(ref counts);
+            if (step % StepsPerReport == 0 && progress is not null)
+            {
+                // Whoever listens may look at the mesh.
+                Mesh.Counts = counts;
+                progress.Report((step + 1.0) / way);
+            }
+        }
         Mesh.Counts = counts;
+        cancellationToken.ThrowIfCancellationRequested();
+        progress?.Report(1);
     }
 
     /// <summary>Goes to the base.</summary>
-    public void GoToBase() => GoToCollapse(CollapseCount);
+    /// <inheritdoc cref="GoToCollapse" path="/param[@name!='collapses']"/>
+    public void GoToBase(IProgress<double>? progress = null, CancellationToken cancellationToken = default) =>
+        GoToCollapse(CollapseCount, progress, cancellationToken);
 
     /// <summary>Goes to the finest level.</summary>
-    public void GoToFinest() => GoToCollapse(firstKnown);
+    /// <inheritdoc cref="GoToCollapse" path="/param[@name!='collapses']"/>
+    public void GoToFinest(IProgress<double>? progress = null, CancellationToken cancellationToken = default) =>
+        GoToCollapse(firstKnown, progress, cancellationToken);
 
     internal ref readonly SplitRecord RecordAt(int step) => ref records[step];
 
@@ -138,7 +162,7 @@ public sealed class ProgressiveMesh
     }
 
     /// <summary>Does the steps that were logged on the mesh itself, and notes what splitting will need.</summary>
-    private static ProgressiveMesh Record(Mesh mesh, WorkingMesh working, StepLog log, TraitLog? traits)
+    private static ProgressiveMesh Record(Mesh mesh, WorkingMesh working, StepLog log, TraitLog? traits, CancellationToken cancellationToken)
     {
         List<CollapseStep> steps = log.Steps;
         List<TraitDelta> deltas = [.. mesh.AllTraits.Select(t => t.NewDelta(steps.Count))];
@@ -147,6 +171,8 @@ public sealed class ProgressiveMesh
         MeshCounts counts = mesh.Counts;
         for (int i = 0; i < steps.Count; i++)
         {
+            if (i % StepsPerReport == 0)
+                cancellationToken.ThrowIfCancellationRequested();
             CollapseStep step = steps[i];
             SplitRecord record = ColumnSplits.Describe(mesh, step.HalfEdge, step.Merges);
             result.records[i] = record;
@@ -160,7 +186,7 @@ public sealed class ProgressiveMesh
         mesh.Counts = counts;
         result.SetFaceRange(mesh.Faces.Count, finest);
         result.firstKnown = 0;
-        result.GoToFinest();
+        result.GoToFinest(null, cancellationToken);
         return result;
     }
 

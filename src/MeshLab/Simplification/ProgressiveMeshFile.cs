@@ -15,55 +15,88 @@ public static class ProgressiveMeshFile
 {
     internal const byte Version = 1;
 
+    private const int StepsPerReport = 1 << 10;
+
     internal static ReadOnlySpan<byte> Magic => "MLPM"u8;
 
     extension(ProgressiveMesh progressive)
     {
         /// <summary>Writes the progressive mesh to a file. It goes to its base for that and back to where it was.</summary>
+        /// <param name="path">The file; it is there only once all is written.</param>
+        /// <param name="progress">Hears of the part of the splits that is written, from 0 to 1.</param>
+        /// <param name="cancellationToken">Ends the writing; the mesh is valid, at the level that was reached.</param>
         /// <exception cref="ArgumentException">A trait's values are of a type that a file cannot hold, or the mesh is not complete.</exception>
-        public void Save(string path)
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public void Save(string path, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
         {
-            using FileStream stream = File.Create(path);
-            progressive.Save(stream);
+            ArgumentNullException.ThrowIfNull(path);
+            Check(progressive);
+            AtomicFile.Write(path, stream => progressive.Save(stream, progress, cancellationToken));
         }
 
         /// <summary>Writes the progressive mesh to a stream.</summary>
-        /// <inheritdoc cref="Save(ProgressiveMesh, string)"/>
-        public void Save(Stream stream)
+        /// <param name="stream">The stream; left open.</param>
+        /// <param name="progress">Hears of the part of the splits that is written, from 0 to 1.</param>
+        /// <param name="cancellationToken">Ends the writing; the mesh is valid, at the level that was reached.</param>
+        /// <exception cref="ArgumentException">A trait's values are of a type that a file cannot hold, or the mesh is not complete.</exception>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public void Save(Stream stream, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
         {
             ArgumentNullException.ThrowIfNull(stream);
             Check(progressive);
             int level = progressive.CollapsesDone;
             using var buffered = new BufferedStream(new NonClosingStream(stream), 1 << 16);
             using var writer = new BinaryWriter(buffered, Encoding.UTF8, leaveOpen: true);
-            progressive.GoToBase();
+            progressive.GoToBase(null, cancellationToken);
             WriteHead(writer, progressive);
             WriteBase(writer, progressive);
             for (int step = progressive.CollapseCount - 1; step >= 0; step--)
+            {
                 WriteSplit(writer, progressive, step);
-            progressive.GoToCollapse(level);
+                if (step % StepsPerReport == 0)
+                {
+                    cancellationToken.ThrowIfCancellationRequested();
+                    progress?.Report(1 - (double)step / progressive.CollapseCount);
+                }
+            }
+            progressive.GoToCollapse(level, null, cancellationToken);
         }
     }
 
     /// <summary>Reads a progressive mesh; it is at its finest level.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="progress">Hears of the part of the splits that is read, from 0 to 1.</param>
+    /// <param name="cancellationToken">Ends the reading; nothing is returned then.</param>
     /// <exception cref="MeshFormatException">The file is not a progressive mesh, or damaged.</exception>
-    public static ProgressiveMesh Load(string path)
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static ProgressiveMesh Load(string path, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
     {
         using FileStream stream = File.OpenRead(path);
-        return Load(stream, path);
+        return Load(stream, path, progress, cancellationToken);
     }
 
     /// <summary>Reads a progressive mesh; it is at its finest level.</summary>
     /// <param name="stream">The stream; read to the last split.</param>
     /// <param name="name">The name for messages.</param>
+    /// <param name="progress">Hears of the part of the splits that is read, from 0 to 1.</param>
+    /// <param name="cancellationToken">Ends the reading; nothing is returned then.</param>
     /// <exception cref="MeshFormatException">The stream is not a progressive mesh, or damaged.</exception>
-    public static ProgressiveMesh Load(Stream stream, string name = "-")
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static ProgressiveMesh Load(
+        Stream stream, string name = "-", IProgress<double>? progress = null, CancellationToken cancellationToken = default)
     {
         using var reader = new ProgressiveMeshReader(stream, name, leaveOpen: true);
-        while (reader.ReadSplit())
+        ProgressiveMesh progressive = reader.Progressive;
+        for (int step = 0; reader.ReadSplit(); step++)
         {
+            if (step % StepsPerReport != 0)
+                continue;
+            cancellationToken.ThrowIfCancellationRequested();
+            progress?.Report((step + 1.0) / progressive.CollapseCount);
         }
-        return reader.Progressive;
+        cancellationToken.ThrowIfCancellationRequested();
+        progress?.Report(1);
+        return progressive;
     }
 
     /// <summary>The half-edges that a split brings back, beside the contracted one's.</summary>

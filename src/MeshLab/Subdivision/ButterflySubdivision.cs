@@ -28,7 +28,7 @@ public static class ButterflySubdivision
     {
         Stepper.RequireTriangles(mesh);
         return Stepper.Run(
-            mesh, options, (size, _) => size.Quadrisected(), (coarse, _, token) => Step(coarse, token), SplitTraits.Quadrisected, progress, cancellationToken);
+            mesh, options, (size, _) => size.Quadrisected(), (coarse, _, token) => Step(coarse, token), SplitTraits.Quadrisected, null, progress, cancellationToken);
     }
 
     /// <summary>The weights of the neighbours of an extraordinary vertex, beginning with the other end of the edge; the vertex itself has ¾.</summary>

@@ -23,7 +23,7 @@ public static class CatmullClarkSubdivision
     /// <param name="progress">Told the part done.</param>
     /// <param name="cancellationToken">Stops the work; nothing is returned then.</param>
     /// <returns>A new mesh of quadrilaterals with the traits subdivided too.</returns>
-    /// <exception cref="ArgumentException">The result would have more faces than the budget.</exception>
+    /// <exception cref="ArgumentException">A sharpness is NaN, the result would have more faces than the budget, or the limit is asked for with edges of a finite sharpness left.</exception>
     public static Mesh Subdivide(
         Mesh mesh, SubdivisionOptions? options = null, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
     {
@@ -35,6 +35,7 @@ public static class CatmullClarkSubdivision
             (size, _) => size.CornersToQuads(),
             (coarse, _, token) => Step(coarse, options.UseCreases, token),
             (coarse, finer) => SplitTraits.Cornered(coarse, finer, FaceStarts(coarse)),
+            (finest, part, token) => LimitSurface.OfCatmullClark(finest, options.UseCreases, part, token),
             progress,
             cancellationToken);
     }

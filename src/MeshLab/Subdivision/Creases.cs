@@ -55,13 +55,27 @@ public static class Creases
         return edge.Mesh.TryGetEdgeTrait(TraitName, out EdgeTrait<double>? trait) ? trait[edge] : 0;
     }
 
+    /// <summary>The sharpness of the edges, all of them numbers; <see langword="null"/> if the mesh has no creases.</summary>
+    /// <exception cref="ArgumentException">The sharpness of an edge is NaN.</exception>
+    internal static EdgeTrait<double>? SharpnessOf(Mesh mesh)
+    {
+        if (!mesh.TryGetEdgeTrait(TraitName, out EdgeTrait<double>? sharpness))
+            return null;
+        foreach (Edge e in mesh.Edges)
+        {
+            if (double.IsNaN(sharpness[e]))
+                throw new ArgumentException($"{e} has the sharpness NaN; a number is needed.", nameof(mesh));
+        }
+        return sharpness;
+    }
+
     /// <summary>What is left of a sharpness after a step.</summary>
     internal static double AfterAStep(double sharpness) => Math.Max(0, sharpness - 1);
 
     /// <summary>Changes the smooth places of edges (V + e) and vertices to those of the crease rules.</summary>
     internal static void Sharpen(Mesh mesh, Vector3D[] placed)
     {
-        if (!mesh.TryGetEdgeTrait(TraitName, out EdgeTrait<double>? sharpness))
+        if (SharpnessOf(mesh) is not { } sharpness)
             return;
         Dictionary<int, CreaseVertex> vertices = [];
         foreach (Edge e in mesh.Edges)

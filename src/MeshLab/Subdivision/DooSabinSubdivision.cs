@@ -34,6 +34,7 @@ public static class DooSabinSubdivision
                 return Step(coarse, start, holes, out parents);
             },
             (coarse, finer) => SplitTraits.Dualized(coarse, finer, start, holes, parents),
+            null,
             progress,
             cancellationToken);
     }

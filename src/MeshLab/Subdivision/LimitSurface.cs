@@ -16,17 +16,28 @@ public sealed record LimitPoints(Vector3D[] Positions, Vector3D[] Normals);
 /// </remarks>
 public static class LimitSurface
 {
+    private const int VerticesPerCheck = 4096;
+
     /// <summary>The limit of Loop's scheme. The mesh is not changed.</summary>
     /// <param name="mesh">Triangles.</param>
     /// <param name="weights">Loop's or Warren's.</param>
+    /// <param name="progress">Told the part done, from 0 to 1.</param>
+    /// <param name="cancellationToken">Ends the work; nothing is returned then.</param>
     /// <exception cref="ArgumentException">A face is not a triangle, or an edge has a finite sharpness: subdivide until it is used up.</exception>
-    public static LimitPoints OfLoop(Mesh mesh, LoopWeights weights = LoopWeights.Loop1987)
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static LimitPoints OfLoop(
+        Mesh mesh, LoopWeights weights = LoopWeights.Loop1987, IProgress<double>? progress = null, CancellationToken cancellationToken = default) =>
+        OfLoop(mesh, weights, true, progress, cancellationToken);
+
+    internal static LimitPoints OfLoop(Mesh mesh, LoopWeights weights, bool useCreases, IProgress<double>? progress, CancellationToken cancellationToken)
     {
         Stepper.RequireTriangles(mesh);
-        EdgeTrait<double>? sharpness = SharpnessOf(mesh);
+        EdgeTrait<double>? sharpness = useCreases ? SharpnessOf(mesh) : null;
         var limit = new LimitPoints(mesh.Positions.ToArray(), new Vector3D[mesh.VertexSlots]);
+        int done = 0;
         foreach (Vertex v in mesh.Vertices)
         {
+            Check(done++, mesh, progress, cancellationToken);
             if (v.IsIsolated || AtCrease(v, sharpness, limit))
                 continue;
             if (v.IsBoundary)
@@ -34,25 +45,34 @@ public static class LimitSurface
             else
                 LoopInterior(v, weights, limit);
         }
+        progress?.Report(1);
         return limit;
     }
 
     /// <summary>The limit of Catmull and Clark's scheme. The mesh is not changed.</summary>
     /// <param name="mesh">Any faces.</param>
+    /// <param name="progress">Told the part done, from 0 to 1.</param>
+    /// <param name="cancellationToken">Ends the work; nothing is returned then.</param>
     /// <exception cref="ArgumentException">An edge has a finite sharpness: subdivide until it is used up.</exception>
-    public static LimitPoints OfCatmullClark(Mesh mesh)
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public static LimitPoints OfCatmullClark(Mesh mesh, IProgress<double>? progress = null, CancellationToken cancellationToken = default) =>
+        OfCatmullClark(mesh, true, progress, cancellationToken);
+
+    internal static LimitPoints OfCatmullClark(Mesh mesh, bool useCreases, IProgress<double>? progress, CancellationToken cancellationToken)
     {
         ArgumentNullException.ThrowIfNull(mesh);
-        SharpnessOf(mesh);
+        if (useCreases)
+            SharpnessOf(mesh);
         Mesh compact = Stepper.Compacted(mesh);
         // Isolated and deleted vertices have no place in the finer mesh's order but keep their position.
-        Mesh finer = CatmullClarkSubdivision.Subdivide(compact);
-        EdgeTrait<double>? sharpness = SharpnessOf(finer);
+        Mesh finer = CatmullClarkSubdivision.Subdivide(compact, new SubdivisionOptions { UseCreases = useCreases }, null, cancellationToken);
+        EdgeTrait<double>? sharpness = useCreases ? SharpnessOf(finer) : null;
         var ofFiner = new LimitPoints(finer.Positions.ToArray(), new Vector3D[finer.VertexSlots]);
         var limit = new LimitPoints(mesh.Positions.ToArray(), new Vector3D[mesh.VertexSlots]);
         int number = 0;
         foreach (Vertex original in mesh.Vertices)
         {
+            Check(number, mesh, progress, cancellationToken);
             Vertex v = finer.Vertices[number++];
             if (v.IsIsolated)
                 continue;
@@ -66,12 +86,21 @@ public static class LimitSurface
             limit.Positions[original.Index] = ofFiner.Positions[v.Index];
             limit.Normals[original.Index] = ofFiner.Normals[v.Index];
         }
+        progress?.Report(1);
         return limit;
+    }
+
+    private static void Check(int done, Mesh mesh, IProgress<double>? progress, CancellationToken cancellationToken)
+    {
+        if (done % VerticesPerCheck != 0)
+            return;
+        cancellationToken.ThrowIfCancellationRequested();
+        progress?.Report((double)done / mesh.Vertices.Count);
     }
 
     private static EdgeTrait<double>? SharpnessOf(Mesh mesh)
     {
-        if (!mesh.TryGetEdgeTrait(Creases.TraitName, out EdgeTrait<double>? sharpness))
+        if (Creases.SharpnessOf(mesh) is not { } sharpness)
             return null;
         foreach (Edge e in mesh.Edges)
         {

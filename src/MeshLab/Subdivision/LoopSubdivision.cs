@@ -30,14 +30,22 @@ public static class LoopSubdivision
     /// <param name="progress">Told the part done.</param>
     /// <param name="cancellationToken">Stops the work; nothing is returned then.</param>
     /// <returns>A new mesh with the traits subdivided too.</returns>
-    /// <exception cref="ArgumentException">A face is not a triangle, or the result would have more faces than the budget.</exception>
+    /// <exception cref="ArgumentException">A face is not a triangle, a sharpness is NaN, the result would have more faces than the budget, or the limit is asked for with
+    /// edges of a finite sharpness left.</exception>
     public static Mesh Subdivide(
         Mesh mesh, SubdivisionOptions? options = null, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
     {
         Stepper.RequireTriangles(mesh);
         options ??= SubdivisionOptions.Default;
         return Stepper.Run(
-            mesh, options, (size, _) => size.Quadrisected(), (coarse, _, token) => Step(coarse, options, token), SplitTraits.Quadrisected, progress, cancellationToken);
+            mesh,
+            options,
+            (size, _) => size.Quadrisected(),
+            (coarse, _, token) => Step(coarse, options, token),
+            SplitTraits.Quadrisected,
+            (finest, part, token) => LimitSurface.OfLoop(finest, options.Weights, options.UseCreases, part, token),
+            progress,
+            cancellationToken);
     }
 
     /// <summary>The weight β of each neighbour of an interior vertex.</summary>

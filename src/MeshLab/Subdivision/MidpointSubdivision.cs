@@ -14,7 +14,7 @@ public static class MidpointSubdivision
     {
         Stepper.RequireTriangles(mesh);
         return Stepper.Run(
-            mesh, options, (size, _) => size.Quadrisected(), (coarse, _, token) => Step(coarse, token), SplitTraits.Quadrisected, progress, cancellationToken);
+            mesh, options, (size, _) => size.Quadrisected(), (coarse, _, token) => Step(coarse, token), SplitTraits.Quadrisected, null, progress, cancellationToken);
     }
 
     private static Mesh Step(Mesh mesh, CancellationToken cancellationToken)

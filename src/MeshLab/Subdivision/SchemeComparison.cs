@@ -72,7 +72,7 @@ public static class SchemeComparison
         }
         return new(
             scheme, finer, area, volume, Bend(finer, normals),
-            LargestDistance(finer, Limit(finer, scheme), finer.VertexSlots), LargestDistance(mesh, Limit(mesh, scheme), mesh.VertexSlots));
+            LargestDistance(finer, Limit(finer, scheme, cancellationToken), finer.VertexSlots), LargestDistance(mesh, Limit(mesh, scheme, cancellationToken), mesh.VertexSlots));
     }
 
     private static double Bend(Mesh mesh, Vector3D[] normals)
@@ -90,10 +90,10 @@ public static class SchemeComparison
         return edges == 0 ? 0 : Math.Sqrt(sum / edges);
     }
 
-    private static Vector3D[]? Limit(Mesh mesh, SubdivisionScheme scheme) => scheme switch
+    private static Vector3D[]? Limit(Mesh mesh, SubdivisionScheme scheme, CancellationToken cancellationToken) => scheme switch
     {
-        SubdivisionScheme.Loop => LimitSurface.OfLoop(mesh).Positions,
-        SubdivisionScheme.CatmullClark => LimitSurface.OfCatmullClark(mesh).Positions,
+        SubdivisionScheme.Loop => LimitSurface.OfLoop(mesh, cancellationToken: cancellationToken).Positions,
+        SubdivisionScheme.CatmullClark => LimitSurface.OfCatmullClark(mesh, cancellationToken: cancellationToken).Positions,
         SubdivisionScheme.Sqrt3 => Sqrt3Limit(mesh),
         SubdivisionScheme.ModifiedButterfly or SubdivisionScheme.Midpoint => mesh.Positions.ToArray(),
         _ => null,

@@ -38,6 +38,7 @@ public static class Sqrt3Subdivision
             (size, number) => size.Trisected(TrisectsBoundary(number)),
             (coarse, number, token) => TrisectsBoundary(number) && !coarse.IsClosed ? BoundaryTrisection.Step(coarse, token) : Step(coarse, token),
             SplitTraits.Trisected,
+            null,
             progress,
             cancellationToken);
 

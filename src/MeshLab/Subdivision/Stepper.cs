@@ -5,8 +5,8 @@ namespace MeshLab.Subdivision;
 /// <summary>What all schemes share: checks, the budget, the steps, the traits.</summary>
 internal static class Stepper
 {
-    /// <summary>One step of a scheme: the new mesh with positions, without traits.</summary>
-    public delegate Mesh Step(Mesh mesh, int number);
+    /// <summary>Where the vertices of a scheme's mesh end up.</summary>
+    public delegate LimitPoints Limit(Mesh mesh, IProgress<double>? progress, CancellationToken cancellationToken);
 
     public static Mesh Run(
         Mesh mesh,
@@ -14,11 +14,14 @@ internal static class Stepper
         Func<MeshSize, int, MeshSize> grow,
         Func<Mesh, int, CancellationToken, Mesh> step,
         Action<Mesh, Mesh> traits,
+        Limit? limit,
         IProgress<double>? progress,
         CancellationToken cancellationToken)
     {
         ArgumentNullException.ThrowIfNull(mesh);
         options ??= SubdivisionOptions.Default;
+        if (options.ToLimit && limit is null)
+            throw new ArgumentException($"{nameof(SubdivisionOptions.ToLimit)}: the limit is known for Loop's and for Catmull and Clark's scheme.", nameof(options));
         MeshSize size = MeshSize.Of(mesh), total = default;
         for (int number = 0; number < options.Steps; number++)
         {
@@ -28,6 +31,8 @@ internal static class Stepper
             total = total with { Faces = total.Faces + size.Faces };
         }
 
+        // Moving to the limit counts as one more pass over the last mesh.
+        double work = Math.Max(1, total.Faces + (options.ToLimit ? size.Faces : 0));
         Mesh result = Compacted(mesh);
         var trace = StepTrace.Into(options.Trace);
         double done = 0;
@@ -39,9 +44,18 @@ internal static class Stepper
             result = finer;
             trace?.Remake("subdivide", finer);
             done += finer.Faces.Count;
-            progress?.Report(Math.Min(1, done / Math.Max(1, total.Faces)));
+            progress?.Report(Math.Min(1, done / work));
         }
-        return ReferenceEquals(result, mesh) ? mesh.Clone() : result;
+        if (ReferenceEquals(result, mesh))
+            result = mesh.Clone();
+        if (options.ToLimit)
+        {
+            IProgress<double>? rest = progress is null ? null : new PartOfProgress(progress, Math.Min(1, done / work));
+            limit!(result, rest, cancellationToken).Positions.CopyTo(result.Positions);
+            trace?.Move("limit", result.Positions);
+            progress?.Report(1);
+        }
+        return result;
     }
 
     /// <summary>The mesh itself, or a copy without the slots of deleted elements.</summary>
@@ -52,6 +66,12 @@ internal static class Stepper
         Mesh copy = mesh.Clone();
         copy.Compact();
         return copy;
+    }
+
+    /// <summary>The progress of the last part of a work: from where the others ended on to 1.</summary>
+    private sealed class PartOfProgress(IProgress<double> all, double from) : IProgress<double>
+    {
+        public void Report(double value) => all.Report(from + (1 - from) * value);
     }
 
     public static void RequireTriangles(Mesh mesh)

@@ -68,7 +68,10 @@ public sealed record SubdivisionOptions
     /// <summary>Whether the edge trait <see cref="Creases.TraitName"/> makes creases in Loop's and Catmull and Clark's schemes.</summary>
     public bool UseCreases { get; init; } = true;
 
-    /// <summary>Takes the step trace: a line of JSON with the counts and a hash of the mesh per step; <see langword="null"/> for none.</summary>
+    /// <summary>Whether every vertex is moved to its limit (极限位置) after the last step: Loop's scheme and Catmull and Clark's. See <see cref="LimitSurface"/>.</summary>
+    public bool ToLimit { get; init; }
+
+    /// <summary>Takes the step trace: a line of JSON with the counts and a hash of the mesh per step, and one for the move to the limit; <see langword="null"/> for none.</summary>
     public TextWriter? Trace { get; init; }
 
     /// <summary>§8.3: whether the first step trisects the boundary, as the second of two √3 steps does. Faces may then have one boundary edge at most.</summary>

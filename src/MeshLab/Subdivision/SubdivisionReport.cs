@@ -6,7 +6,7 @@ public enum SubdivisionStop
     /// <summary>All steps asked for were done.</summary>
     StepsDone,
 
-    /// <summary>The mesh has no faces, or no step was asked for.</summary>
+    /// <summary>The mesh has no faces, or neither a step nor the limit was asked for.</summary>
     NothingToDo,
 }
 

@@ -43,9 +43,9 @@ public static class SubdivisionSchemes
             CancellationToken cancellationToken = default)
         {
             Mesh result = mesh.Subdivide(scheme, options, progress, cancellationToken);
-            int steps = (options ?? SubdivisionOptions.Default).Steps;
-            SubdivisionStop stop = steps > 0 && mesh.Faces.Count > 0 ? SubdivisionStop.StepsDone : SubdivisionStop.NothingToDo;
-            report = new(stop, stop == SubdivisionStop.StepsDone ? steps : 0, mesh.Faces.Count, result.Faces.Count);
+            options ??= SubdivisionOptions.Default;
+            SubdivisionStop stop = (options.Steps > 0 || options.ToLimit) && mesh.Faces.Count > 0 ? SubdivisionStop.StepsDone : SubdivisionStop.NothingToDo;
+            report = new(stop, stop == SubdivisionStop.StepsDone ? options.Steps : 0, mesh.Faces.Count, result.Faces.Count);
             return result;
         }
     }

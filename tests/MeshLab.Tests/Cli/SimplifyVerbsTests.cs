@@ -1,7 +1,10 @@
 using System.Text.Json;
 using MeshLab.Cli.Hosting;
 using MeshLab.IO;
+using MeshLab.Numerics;
+using MeshLab.Simplification;
 using MeshLab.Structure;
+using MeshLab.Visualization;
 using Xunit;
 
 namespace MeshLab.Tests.Cli;
@@ -62,11 +65,108 @@ public sealed class SimplifyVerbsTests : IDisposable
         Assert.Equal(original.StateHash(), MeshFile.Read(PathOf("finest.obj")).StateHash());
     }
 
+    public static TheoryData<string, QuadricOptions> Options
+    {
+        get
+        {
+            var half = new QuadricOptions { TargetRatio = 0.3 };
+            return new()
+            {
+                { "--method qem-accurate", half with { Mode = QuadricMode.Accurate } },
+                { "--method qem-textbook", half with { Mode = QuadricMode.Textbook } },
+                { "--max-error 0.001", new QuadricOptions { MaxError = 0.001 } },
+                { "--boundary free", half with { Boundary = BoundaryTreatment.Free } },
+                { "--boundary locked", half with { Boundary = BoundaryTreatment.Locked } },
+                { "--boundary-weight 0.01", half with { BoundaryWeight = 0.01 } },
+                { "--allow-flips", half with { AllowFlips = true } },
+                { "--feature-angle 10", half with { FeatureAngle = double.DegreesToRadians(10) } },
+                { "--placement segment", half with { Placement = VertexPlacement.Segment } },
+                { "--placement endpoint", half with { Placement = VertexPlacement.Endpoint } },
+                { "--no-area-weights", half with { AreaWeights = false } },
+                { "--ignore-seams", half with { KeepTextureSeams = false } },
+                { "--ignore-labels", half with { KeepLabelBorders = false } },
+            };
+        }
+    }
+
+    /// <summary>An uneven, crumpled sheet with a seam down the middle and two materials across it.</summary>
+    private string SaveSheet()
+    {
+        var random = new Random(3);
+        Mesh mesh = Simplification.Shapes.Sheet(12, (x, y) => 0.2 * random.NextDouble() * x);
+        HalfEdgeTrait<Vector2D> texture = mesh.AddHalfEdgeTrait<Vector2D>(TraitNames.TextureCoordinate, default, Blend.Linear);
+        FaceLabels labels = mesh.GetOrAddFaceLabels("material");
+        foreach (Face f in mesh.Faces)
+        {
+            Vector3D center = f.Vertices.Aggregate(default(Vector3D), (sum, v) => sum + v.Position) / 3;
+            labels.Labels[f] = labels.Number(center.Y > 0.5 ? "upper" : "lower");
+            foreach (HalfEdge h in f.HalfEdges)
+                texture[h] = new(h.Target.Position.X + (center.X > 0.5 ? 5 : 0), h.Target.Position.Y);
+        }
+        foreach (Vertex v in mesh.Vertices)
+            v.Position = new(v.Position.X * v.Position.X + 0.1 * v.Position.X, v.Position.Y, v.Position.Z);
+        string path = PathOf("sheet.obj");
+        MeshFile.Write(mesh, path);
+        return path;
+    }
+
+    [Theory]
+    [MemberData(nameof(Options))]
+    public void Simplify_Option_IsThatOfTheLibrary(string option, QuadricOptions options)
+    {
+        string input = SaveSheet(), output = PathOf("small.obj");
+        Mesh expected = MeshFile.Read(input), plain = MeshFile.Read(input);
+        expected.Simplify(options);
+        plain.Simplify(new() { TargetRatio = 0.3 });
+
+        string[] target = options.TargetRatio is null ? [] : ["--ratio", "0.3"];
+        Run(0, ["simplify", input, output, .. target, .. option.Split(' ')]);
+
+        Assert.Equal(expected.Positions.ToArray(), MeshFile.Read(output).Positions.ToArray());
+        Assert.NotEqual(plain.Positions.ToArray(), expected.Positions.ToArray());
+    }
+
+    [Theory]
+    [InlineData("--placement", "endpoint")]
+    [InlineData("--boundary-weight", "2")]
+    [InlineData("--no-area-weights", null)]
+    [InlineData("--ignore-seams", null)]
+    [InlineData("--ignore-labels", null)]
+    public void Simplify_OptionOfAnotherMethod_IsWrongUsage(string option, string? value)
+    {
+        string[] more = value is null ? [option] : [option, value];
+        Assert.Equal(2, Call(["simplify", Save("bumpy-sphere"), PathOf("small.obj"), "--ratio", "0.5", "--method", "shortest-edge", .. more]).Status);
+    }
+
+    [Fact]
+    public void Distance_Colors_ShowTheDistanceOfEveryVertex()
+    {
+        string input = Save("bumpy-sphere"), small = PathOf("small.obj"), colored = PathOf("error.ply");
+        Run(0, "simplify", input, small, "--ratio", "0.1");
+
+        JsonElement result = Run(0, "distance", input, small, "--samples", "100", "--colors", colored);
+
+        Mesh mesh = MeshFile.Read(colored), original = MeshFile.Read(input);
+        double[] distances = original.VertexDistancesTo(MeshFile.Read(small));
+        VertexTrait<Color> colors = mesh.GetOrAddVertexTrait<Color>(TraitNames.Color, default);
+        Assert.Equal(distances.Max(), result.GetProperty("farthestVertex").GetDouble());
+        Assert.Equal(original.Positions.ToArray(), mesh.Positions.ToArray());
+        foreach (Vertex v in mesh.Vertices)
+        {
+            Color expected = ColorMap.Viridis.Sample(distances[v.Index] / distances.Max());
+            Assert.Equal(expected.R, colors[v].R, 0.003);
+            Assert.Equal(expected.G, colors[v].G, 0.003);
+            Assert.Equal(expected.B, colors[v].B, 0.003);
+        }
+    }
+
     [Theory]
     [InlineData("--faces", "0")]
     [InlineData("--faces", "100000")]
     [InlineData("--ratio", "1.5")]
     [InlineData("--max-error", "-1")]
+    [InlineData("--boundary-weight", "-1")]
+    [InlineData("--placement", "nowhere")]
     [InlineData("--cell-size", "1")]
     [InlineData("--method", "clustering")]
     [InlineData("--method", "magic")]

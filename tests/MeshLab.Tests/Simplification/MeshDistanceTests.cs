@@ -139,6 +139,31 @@ public class MeshDistanceTests
     }
 
     [Fact]
+    public void Measure_Progress_RisesToOneAndCancelsOnTheWay()
+    {
+        Mesh one = MeshOf(TriangleSoups.Sphere(30)), two = MeshOf(TriangleSoups.Sphere(9));
+        MeshDistanceOptions options = new() { Samples = 100_000 };
+        var told = new List<double>();
+
+        MeshDistance.Measure(one, two, options, new ProgressTeller(told.Add));
+        Assert.True(told.Count > 4);
+        Assert.Equal(told.Order(), told);
+        Assert.Equal(1, told[^1]);
+        two.VertexDistancesTo(one, new ProgressTeller(told.Add));
+        Assert.Equal(1, told[^1]);
+
+        using var source = new CancellationTokenSource();
+        told.Clear();
+        Assert.Throws<OperationCanceledException>(() => MeshDistance.Measure(one, two, options, new ProgressTeller(value =>
+        {
+            told.Add(value);
+            source.Cancel();
+        }), source.Token));
+        Assert.Single(told);
+        Assert.Throws<OperationCanceledException>(() => one.VertexDistancesTo(two, null, new CancellationToken(true)));
+    }
+
+    [Fact]
     public void Measure_BadInput_NamesTheArgument()
     {
         Mesh mesh = Models.Create("tetrahedron"), empty = new();

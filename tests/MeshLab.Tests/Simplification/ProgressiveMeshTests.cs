@@ -199,6 +199,80 @@ public class ProgressiveMeshTests
     }
 
     [Fact]
+    public void GoTo_Cancelled_LeavesAValidMeshOnTheWay()
+    {
+        Mesh mesh = Shapes.Torus(100, 60);
+        AddTraits(mesh);
+        ulong before = mesh.StateHash();
+        ProgressiveMesh progressive = ProgressiveMesh.Create(mesh);
+
+        using var down = new CancellationTokenSource();
+        Assert.Throws<OperationCanceledException>(() => progressive.GoToBase(ProgressTeller.CancelAt(down, 0.3), down.Token));
+        Assert.InRange(progressive.CollapsesDone, progressive.CollapseCount * 3 / 10, progressive.CollapseCount * 8 / 10);
+        Assert.Equal(progressive.Mesh.Faces.Count(f => !f.IsDeleted), progressive.FaceCount);
+        Assert.Empty(progressive.Mesh.Validate());
+
+        progressive.GoToBase();
+        using var up = new CancellationTokenSource();
+        Assert.Throws<OperationCanceledException>(() => progressive.GoToFaces(11_000, ProgressTeller.CancelAt(up, 0.3), up.Token));
+        Assert.InRange(progressive.FaceCount, progressive.MinFaces + 1, 9_000);
+        Assert.Empty(progressive.Mesh.Validate());
+
+        int level = progressive.CollapsesDone;
+        Assert.Throws<OperationCanceledException>(() => progressive.GoToFinest(null, new CancellationToken(true)));
+        Assert.Equal(level, progressive.CollapsesDone);
+        progressive.GoToFinest();
+        Assert.Equal(before, progressive.Mesh.StateHash());
+    }
+
+    [Fact]
+    public void GoToFaces_Progress_RisesToOneAndShowsAValidMesh()
+    {
+        ProgressiveMesh progressive = ProgressiveMesh.Create(Shapes.Torus(60, 40));
+        var told = new List<double>();
+
+        progressive.GoToFaces(100, new ProgressTeller(value =>
+        {
+            told.Add(value);
+            Assert.Empty(progressive.Mesh.Validate());
+        }));
+
+        Assert.True(told.Count > 2);
+        Assert.Equal(told.Order(), told);
+        Assert.Equal(1, told[^1]);
+        Assert.Equal(100, progressive.FaceCount);
+    }
+
+    [Fact]
+    public void SaveAndLoad_Cancelled_LeaveNoFileAndAValidMesh()
+    {
+        ProgressiveMesh progressive = ProgressiveMesh.Create(Shapes.Torus(60, 40));
+        ulong before = progressive.Mesh.StateHash();
+        string folder = Directory.CreateTempSubdirectory("mlab-pm").FullName, path = Path.Combine(folder, "levels.pm");
+        try
+        {
+            using var source = new CancellationTokenSource();
+            Assert.Throws<OperationCanceledException>(() => progressive.Save(path, ProgressTeller.CancelAt(source, 0.4), source.Token));
+            Assert.Empty(Directory.GetFiles(folder));
+            Assert.Empty(progressive.Mesh.Validate());
+            progressive.GoToFinest();
+            Assert.Equal(before, progressive.Mesh.StateHash());
+
+            var told = new List<double>();
+            progressive.Save(path, new ProgressTeller(told.Add));
+            Assert.Equal(1, told[^1]);
+            Assert.Throws<OperationCanceledException>(() => ProgressiveMeshFile.Load(path, null, new CancellationToken(true)));
+            ProgressiveMesh loaded = ProgressiveMeshFile.Load(path, new ProgressTeller(told.Add));
+            Assert.Equal(1, told[^1]);
+            Assert.Equal(before, loaded.Mesh.StateHash());
+        }
+        finally
+        {
+            Directory.Delete(folder, true);
+        }
+    }
+
+    [Fact]
     public void Create_BadArguments_AreNamed()
     {
         Mesh mesh = Shapes.Torus(8, 6);

@@ -141,6 +141,101 @@ public class LimitSurfaceTests
         Assert.Throws<ArgumentException>(() => LimitSurface.OfLoop(mesh));
     }
 
+    public static TheoryData<SubdivisionScheme, LoopWeights> SchemesWithLimits => new()
+    {
+        { SubdivisionScheme.Loop, LoopWeights.Loop1987 },
+        { SubdivisionScheme.Loop, LoopWeights.Warren },
+        { SubdivisionScheme.CatmullClark, LoopWeights.Loop1987 },
+    };
+
+    private static Mesh Patch()
+    {
+        Mesh mesh = Disc(5, boundary: false);
+        Creases.Set(mesh, [mesh.FindEdge(mesh.Vertices[0], mesh.Vertices[1]), mesh.FindEdge(mesh.Vertices[0], mesh.Vertices[3])]);
+        return mesh;
+    }
+
+    [Theory]
+    [MemberData(nameof(SchemesWithLimits))]
+    public void Subdivide_ToLimit_MovesEveryVertexThere(SubdivisionScheme scheme, LoopWeights weights)
+    {
+        foreach (bool useCreases in new[] { true, false })
+        {
+            foreach (int steps in new[] { 0, 2 })
+            {
+                Mesh mesh = Patch();
+                ulong before = mesh.StateHash();
+                var options = new SubdivisionOptions { Steps = steps, Weights = weights, UseCreases = useCreases };
+
+                Mesh moved = mesh.Subdivide(scheme, options with { ToLimit = true }, out SubdivisionReport report), finer = mesh.Subdivide(scheme, options);
+
+                if (!useCreases)
+                    finer.RemoveTrait(finer.GetOrAddEdgeTrait<double>(Creases.TraitName, 0));
+                LimitPoints limit = scheme == SubdivisionScheme.Loop ? LimitSurface.OfLoop(finer, weights) : LimitSurface.OfCatmullClark(finer);
+                Assert.Equal(limit.Positions, moved.Positions.ToArray());
+                Assert.Equal(finer.Target.ToArray(), moved.Target.ToArray());
+                Assert.Equal((SubdivisionStop.StepsDone, steps), (report.StopReason, report.Steps));
+                Assert.Equal(before, mesh.StateHash());
+                Assert.Empty(moved.Validate());
+            }
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(SchemesWithLimits))]
+    public void Subdivide_ToLimit_IsTracedAndTellsProgress(SubdivisionScheme scheme, LoopWeights weights)
+    {
+        using StringWriter trace = new(), plain = new();
+        var told = new List<double>();
+        var options = new SubdivisionOptions { Steps = 2, Weights = weights, ToLimit = true, Trace = trace };
+
+        Mesh moved = Patch().Subdivide(scheme, options, new Simplification.ProgressTeller(told.Add));
+        Patch().Subdivide(scheme, options with { ToLimit = false, Trace = plain });
+
+        string[] lines = trace.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.Equal(3, lines.Length);
+        Assert.StartsWith(plain.ToString(), trace.ToString(), StringComparison.Ordinal);
+        Assert.StartsWith($"{{\"step\":2,\"operation\":\"limit\",\"vertices\":{moved.Vertices.Count},\"hash\":", lines[2], StringComparison.Ordinal);
+        Assert.True(told.Count > 3);
+        Assert.Equal(told.Order(), told);
+        Assert.Equal(1, told[^1]);
+        Assert.All(told.Take(2), value => Assert.InRange(value, 0, 0.99));
+    }
+
+    [Theory]
+    [MemberData(nameof(SchemesWithLimits))]
+    public void Subdivide_ToLimitCancelled_ThrowsAfterTheSteps(SubdivisionScheme scheme, LoopWeights weights)
+    {
+        Mesh mesh = Patch();
+        ulong before = mesh.StateHash();
+        using var source = new CancellationTokenSource();
+        using var trace = new StringWriter();
+        int told = 0;
+        var options = new SubdivisionOptions { Steps = 2, Weights = weights, ToLimit = true, Trace = trace };
+
+        Assert.Throws<OperationCanceledException>(() => mesh.Subdivide(scheme, options, new Simplification.ProgressTeller(_ =>
+        {
+            if (++told == 2)
+                source.Cancel();
+        }), source.Token));
+
+        Assert.DoesNotContain("limit", trace.ToString(), StringComparison.Ordinal);
+        Assert.Equal(before, mesh.StateHash());
+        Assert.Throws<OperationCanceledException>(() => LimitSurface.OfLoop(mesh, weights, null, new CancellationToken(true)));
+        Assert.Throws<OperationCanceledException>(() => LimitSurface.OfCatmullClark(mesh, null, new CancellationToken(true)));
+    }
+
+    [Theory]
+    [InlineData(SubdivisionScheme.ModifiedButterfly)]
+    [InlineData(SubdivisionScheme.Sqrt3)]
+    [InlineData(SubdivisionScheme.DooSabin)]
+    [InlineData(SubdivisionScheme.Midpoint)]
+    public void Subdivide_ToLimitThatIsNotKnown_IsRefused(SubdivisionScheme scheme)
+    {
+        ArgumentException error = Assert.Throws<ArgumentException>("options", () => Patch().Subdivide(scheme, new SubdivisionOptions { ToLimit = true }));
+        Assert.Contains("ToLimit", error.Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Limits_OfDeletedAndIsolatedVertices_StayInPlace()
     {
