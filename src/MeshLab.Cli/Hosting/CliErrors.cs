@@ -28,7 +28,7 @@ internal sealed partial record CliError(int ExitStatus, string Kind, string Mess
     {
         OperationCanceledException => new(130, "cancelled", "cancelled"),
         AggregateException { InnerException: { } inner } => Of(inner, reading, file),
-        UsageException => new(2, "usage", error.Message),
+        UsageException => new(2, "usage", FirstLine(error.Message)),
         RefusedException refused => new(1, "refused", error.Message) { Elements = refused.Elements },
         MeshFormatException format => new(3, "format", error.Message) { File = format.File, Line = format.Line, Column = format.Column },
         TopologyException topology when reading => new(3, "topology", $"{file}: {error.Message}") { File = file, Elements = topology.Elements },

@@ -13,8 +13,9 @@ internal static class MeshFiles
     /// <summary>Asks for binary; only verbs that add it have it.</summary>
     public static readonly Option<bool> Binary = new("--binary") { Description = "Write binary." };
 
-    public static ResultFields Counts(Mesh mesh) =>
-        new ResultFields().Add("vertices", mesh.Vertices.Count).Add("edges", mesh.Edges.Count).Add("faces", mesh.Faces.Count);
+    public static ResultFields Counts(Mesh mesh) => Counts(mesh.Vertices.Count, mesh.Edges.Count, mesh.Faces.Count);
+
+    public static ResultFields Counts(int vertices, int edges, int faces) => new ResultFields().Add("vertices", vertices).Add("edges", edges).Add("faces", faces);
 
     public static Mesh Read(string path, VerbContext context)
     {

@@ -14,6 +14,7 @@ internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWri
     private readonly List<IRenderable> tables = [];
     private readonly SortedDictionary<string, long> ignored = new(StringComparer.Ordinal);
     private readonly SortedDictionary<string, long> leftOut = new(StringComparer.Ordinal);
+    private (int Vertices, int Edges, int Faces) written;
 
     /// <summary>The result's own fields, in the order of the contract.</summary>
     public ResultFields Result { get; } = new();
@@ -21,7 +22,7 @@ internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWri
     /// <summary>Counts of the input, once it is read.</summary>
     public ResultFields? Input { get; private set; }
 
-    /// <summary>Counts of the output, once it is written.</summary>
+    /// <summary>Counts of the output, once it is written; of all files together if there are several.</summary>
     public ResultFields? Output { get; private set; }
 
     /// <summary>What reading skipped or split.</summary>
@@ -86,13 +87,14 @@ internal sealed class VerbContext(ParseResult parsed, TextWriter output, TextWri
         return mesh;
     }
 
-    /// <summary>Writes a mesh; the last one written is the "output" of the result.</summary>
+    /// <summary>Writes a mesh; all that are written together are the "output" of the result.</summary>
     public void WriteMesh(Mesh mesh, string path)
     {
         CurrentFile = path;
         MeshFiles.Write(mesh, path, this);
         CurrentFile = null;
-        Output = MeshFiles.Counts(mesh);
+        written = (written.Vertices + mesh.Vertices.Count, written.Edges + mesh.Edges.Count, written.Faces + mesh.Faces.Count);
+        Output = MeshFiles.Counts(written.Vertices, written.Edges, written.Faces);
     }
 
     /// <summary>Names the input of a verb that reads no mesh.</summary>

@@ -59,7 +59,7 @@ public static class EdgeCutting
             sourceFace,
             MeshPart.Inverse(sourceFace, mesh.FaceSlots),
             Array.ConvertAll(copies, list => (IReadOnlyList<int>)(list ?? [])),
-            [.. mesh.Edges.Where(e => isCut[e.index] && !e.IsBoundary && IsWhole(e, cornerVertex))]);
+            [.. mesh.Edges.Where(e => isCut[e.index] && IsWhole(e, cornerVertex))]);
     }
 
     /// <summary>Gives every fan between cuts its own vertex: per half-edge with a face, the new vertex that it leaves.</summary>
@@ -80,8 +80,8 @@ public static class EdgeCutting
             {
                 if (mesh.face[h] >= 0)
                 {
-                    // A fan begins after a cut or a hole, turning counter-clockwise.
-                    if (!isFirstFan && (isCut[h >> 1] || mesh.face[h ^ 1] < 0))
+                    // A fan begins after a cut, turning counter-clockwise; the hole of a boundary vertex lies before the first.
+                    if (!isFirstFan && isCut[h >> 1])
                     {
                         current = sources.Count;
                         copies[v.index].Add(current);
@@ -97,12 +97,12 @@ public static class EdgeCutting
         return cornerVertex;
     }
 
-    /// <summary>A spoke where a fan begins: after the hole, else on the lowest cut edge, else any.</summary>
+    /// <summary>A spoke where a fan begins: at the hole, else on the lowest cut edge, else any.</summary>
     private static int FirstSpoke(Vertex v, bool[] isCut)
     {
-        if (v.IsBoundary)
-            return v.Mesh.previous[v.Outgoing.index] ^ 1;
         int best = v.Outgoing.index;
+        if (v.IsBoundary)
+            return best;
         foreach (HalfEdge h in v.OutgoingHalfEdges)
         {
             if (isCut[h.Edge.index] && (!isCut[best >> 1] || h.index < best))
@@ -111,7 +111,7 @@ public static class EdgeCutting
         return best;
     }
 
-    /// <summary>Whether both sides of the edge still have the same ends.</summary>
+    /// <summary>Whether the edge has two sides, which still have the same ends.</summary>
     private static bool IsWhole(Edge e, int[] cornerVertex)
     {
         HalfEdge h = e.HalfEdge0, t = e.HalfEdge1;

@@ -17,7 +17,7 @@ internal static class PlanarPolygons
             if (a.Y > p.Y != b.Y > p.Y)
             {
                 int side = ExactPredicates.Orient2D(a, b, p);
-                if (side == 0 ? Math.Max(a.X, b.X) > p.X : side > 0 == b.Y > a.Y)
+                if (side > 0 == b.Y > a.Y)
                     inside = !inside;
             }
             a = b;

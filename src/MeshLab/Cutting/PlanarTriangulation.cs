@@ -245,8 +245,6 @@ internal sealed class PlanarTriangulation
         private bool IsEar(int at)
         {
             int before = previous[at], after = next[at];
-            if (vertex[before] == vertex[after])
-                return false;
             if (IsBare(at))
                 return true;
             if (Turn(at) <= 0)

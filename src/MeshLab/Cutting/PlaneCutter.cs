@@ -45,18 +45,14 @@ internal sealed class PlaneCutter
 
         int faces = sourceFace.Count;
         List<int> outside = [.. corners];
-        bool sound = WriteFlatCaps();
-        if (sound || !HasRepeatedEdge(outside))
+        WriteFlatCaps();
+        try
         {
-            try
-            {
-                return Finish(sourceFace.Count - faces, 0, openChains);
-            }
-            catch (TopologyException)
-            {
-                // A diagonal of a cap fell on an edge that is there already: fans have no diagonals.
-                sound = false;
-            }
+            return Finish(sourceFace.Count - faces, 0, openChains);
+        }
+        catch (TopologyException)
+        {
+            // A diagonal of a cap fell on an edge that is there already, or a rim that crosses itself has one twice: fans have no diagonals.
         }
         corners.Clear();
         corners.AddRange(outside);
@@ -71,7 +67,7 @@ internal sealed class PlaneCutter
         for (int v = 0; v < number.Length; v++)
         {
             number[v] = -1;
-            if (!inside[v] || mesh.outgoing[v] < 0)
+            if (!inside[v])
                 continue;
             number[v] = positions.Count;
             AddPoint(mesh.positions[v], v, -1, 0);
@@ -236,8 +232,8 @@ internal sealed class PlaneCutter
         sourceFace.Add(face);
     }
 
-    /// <summary>Triangulates the inside of the rims; false if they cross themselves.</summary>
-    private bool WriteFlatCaps()
+    /// <summary>Triangulates the inside of the rims.</summary>
+    private void WriteFlatCaps()
     {
         (Vector3D x, Vector3D y) = plane.Axes();
         if (side == PlaneSide.Below)
@@ -259,11 +255,10 @@ internal sealed class PlaneCutter
         }
         SnapToGrid(flat);
         var triangles = new List<int>();
-        bool sound = PlanarTriangulation.Triangulate(flat, flatLoops, triangles);
+        PlanarTriangulation.Triangulate(flat, flatLoops, triangles);
         // The cap looks away from the part: the rim of a piece is the cap's rim backwards.
         for (int i = 0; i < triangles.Count; i += 3)
             Write(-1, used[triangles[i]], used[triangles[i + 2]], used[triangles[i + 1]]);
-        return sound;
     }
 
     /// <summary>Rounds away the last bits: points in which loops touch come from different edges, and become equal.</summary>
@@ -275,19 +270,6 @@ internal sealed class PlaneCutter
         double step = extent > 0 ? Math.ScaleB(1, Math.ILogB(extent) - GridBits) : 1;
         for (int i = 0; i < flat.Length; i++)
             flat[i] = new(Math.Round(flat[i].X / step) * step, Math.Round(flat[i].Y / step) * step);
-    }
-
-    /// <summary>Whether the caps, which begin where the other faces end, use a vertex or an edge twice.</summary>
-    private bool HasRepeatedEdge(List<int> outside)
-    {
-        var seen = new HashSet<(int, int)>();
-        for (int i = outside.Count; i < corners.Count; i += 3)
-        {
-            int a = corners[i], b = corners[i + 1], c = corners[i + 2];
-            if (a == b || b == c || c == a || !seen.Add((a, b)) || !seen.Add((b, c)) || !seen.Add((c, a)))
-                return true;
-        }
-        return false;
     }
 
     private void WriteFans()

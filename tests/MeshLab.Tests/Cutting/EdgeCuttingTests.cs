@@ -47,6 +47,57 @@ public class EdgeCuttingTests
     }
 
     [Fact]
+    public void CutAlong_OpeningAcrossAGrid_MovesEverySideIntoItsFaces()
+    {
+        Mesh mesh = Models.QuadGrid(4, 2);
+        Edge[] path = [mesh.FindEdge(mesh.Vertices[2], mesh.Vertices[7]), mesh.FindEdge(mesh.Vertices[7], mesh.Vertices[12])];
+        EdgeCutResult cut = EdgeCutting.CutAlong(mesh, path, opening: 0.125);
+        foreach (Face f in cut.Mesh.Faces)
+        {
+            bool left = mesh.Faces[f.Index].Barycenter.X < 0.5;
+            foreach (Vertex v in f.Vertices)
+            {
+                int source = cut.SourceVertex[v.Index];
+                Vector3D moved = source is 2 or 7 or 12 ? new(left ? -0.125 : 0.125, 0, 0) : default;
+                Assert.Equal(mesh.Positions[source] + moved, v.Position);
+            }
+        }
+        // A negative opening lets the sides overlap.
+        Assert.Equal(0.625, EdgeCutting.CutAlong(mesh, path, -0.125).Mesh.Faces[1].Vertices.Max(v => v.Position.X));
+    }
+
+    [Fact]
+    public void CutAlong_OpeningAtACubesCorner_IsTheSumOfNormalTimesEdge()
+    {
+        // Two edges of the corner 0 part its side z = 0 from the two others, which stay joined.
+        Mesh cube = Models.Create("cube-quads");
+        Vertex At(double x, double y, double z) => cube.Vertices.Single(v => v.Position == new Vector3D(x, y, z));
+        Vertex corner = At(0, 0, 0), onX = At(1, 0, 0), onY = At(0, 1, 0);
+        EdgeCutResult cut = EdgeCutting.CutAlong(cube, [cube.FindEdge(corner, onX), cube.FindEdge(corner, onY)], opening: 0.5);
+        Assert.Equal(2, cut.Copies[corner.Index].Count);
+        Face bottom = cube.Faces.Single(f => f.Vertices.All(v => v.Position.Z == 0));
+        foreach (int copy in cut.Copies[corner.Index])
+        {
+            bool atBottom = cut.Mesh.Vertices[copy].Faces.Any(f => cut.SourceFace[f.Index] == bottom.Index);
+            Vector3D expected = atBottom ? new(0.5 / Math.Sqrt(2), 0.5 / Math.Sqrt(2), 0) : new(0, 0, 0.5);
+            Assert.Equal(0, Vector3D.Distance(expected, cut.Mesh.Positions[copy]), 1e-15);
+        }
+        // The ends of the cut are one vertex still, and stay.
+        Assert.Equal(onX.Position, cut.Mesh.Positions[cut.Copies[onX.Index].Single()]);
+        Assert.Equal(onY.Position, cut.Mesh.Positions[cut.Copies[onY.Index].Single()]);
+        Assert.Empty(cut.Mesh.Validate());
+    }
+
+    [Fact]
+    public void CutAlong_BoundaryEdges_AreCutAlready()
+    {
+        Mesh mesh = Models.QuadGrid(2, 2);
+        EdgeCutResult cut = EdgeCutting.CutAlong(mesh, mesh.Edges.Where(e => e.IsBoundary), opening: 0.1);
+        Assert.Empty(cut.Uncut);
+        Assert.Equal(mesh.StateHash(), cut.Mesh.StateHash());
+    }
+
+    [Fact]
     public void CutAlong_OneEdgeInside_CannotOpenAndIsNamed()
     {
         Mesh mesh = Models.QuadGrid(4, 4);

@@ -72,6 +72,67 @@ public class ObtuseSplitTests
         Assert.Empty(mesh.Validate());
     }
 
+    [Fact]
+    public void SplitObtuse_NeighbourAcrossTheSameEdge_IsSplitWithItOnce()
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(4, 0, 0), new(2, 0.25, 0), new(2, -0.25, 0)], [0, 1, 2, 1, 0, 3]);
+        ObtuseSplitResult result = mesh.SplitObtuse();
+        Assert.Equal((1, 1), (result.Splits, result.Passes));
+        Assert.Equal(new(2, 0, 0), mesh.Positions[4]);
+        Assert.Equal([2, 2], result.Pieces.Select(pieces => pieces.Count));
+        Assert.Equal(4, mesh.Faces.Count);
+        Assert.Empty(mesh.Validate());
+    }
+
+    [Fact]
+    public void SplitObtuse_NoPass_ListsTheLargestAngleFirst()
+    {
+        // Apexes 0.5, 0.125 and again 0.5 above the middle of an edge of length 4, and one that is not obtuse enough.
+        double[] heights = [0.5, 0.125, 0.5, 2];
+        Vector3D[] positions = [.. heights.SelectMany((h, i) => (Vector3D[])[new(0, 10 * i, 0), new(4, 10 * i, 0), new(2, (10 * i) + h, 0)])];
+        Mesh mesh = MeshBuilder.FromTriangles(positions, [.. Enumerable.Range(0, 12)]);
+        ObtuseSplitResult result = mesh.SplitObtuse(maxPasses: 0);
+        Assert.Equal((0, 0), (result.Splits, result.Passes));
+        Assert.Equal([1, 0, 2], result.Remaining.Select(f => f.Index));
+        Assert.Equal([1, 0, 2], mesh.SplitObtuse().Feet.Select(foot => mesh.Positions[foot.Vertex].Y / 10));
+    }
+
+    [Theory]
+    [InlineData(2, 6)]
+    [InlineData(6, 2)]
+    public void SplitObtuse_EdgeSplitTwice_NamesTheOldEdgeBothTimes(double apex, double across)
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(8, 0, 0), new(apex, 0.25, 0), new(across, -0.25, 0)], [0, 1, 2, 1, 0, 3]);
+        int edge = mesh.FindEdge(mesh.Vertices[0], mesh.Vertices[1]).Index;
+        ObtuseSplitResult result = mesh.SplitObtuse();
+        ObtuseFoot[] onEdge = [.. result.Feet.Where(foot => mesh.Positions[foot.Vertex].Y == 0)];
+        Assert.Equal([apex, across], onEdge.Select(foot => Math.Round(mesh.Positions[foot.Vertex].X, 12)));
+        Assert.All(onEdge, foot => Assert.Equal(edge, foot.SourceEdge));
+        Assert.Empty(mesh.Validate());
+    }
+
+    [Fact]
+    public void SplitObtuse_FootOnAnEnd_IsMovedToTheMiddle()
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(1, 0, 0), new(1e-13, 1e-14, 0)], [0, 1, 2]);
+        ObtuseSplitResult result = mesh.SplitObtuse(maxPasses: 1);
+        Assert.Equal(0.5, result.Feet.Single().Parameter);
+        Assert.Equal(new(0.5, 0, 0), mesh.Positions[3]);
+        Assert.Empty(mesh.Validate());
+    }
+
+    [Fact]
+    public void SplitObtuse_EdgeThatCannotBeSplit_StopsAndRemains()
+    {
+        // Two triangles back to back have the same third vertex.
+        Mesh pillow = MeshBuilder.FromTriangles([new(0, 0, 0), new(4, 0, 0), new(1, 0.1, 0)], [0, 1, 2, 0, 2, 1]);
+        ulong before = pillow.StateHash();
+        ObtuseSplitResult result = pillow.SplitObtuse();
+        Assert.Equal((0, 1), (result.Splits, result.Passes));
+        Assert.Equal([0, 1], result.Remaining.Select(f => f.Index));
+        Assert.Equal(before, pillow.StateHash());
+    }
+
     private static bool IsOn(Edge edge, Vector3D p, double limit)
     {
         Vector3D a = edge.Vertex0.Position, b = edge.Vertex1.Position;

@@ -42,6 +42,11 @@ public class PartSplitTests
         Assert.Equal(6, sides.Count);
         Assert.All(sides, side => Assert.Equal((4, 2, 1.0), (side.Mesh.Vertices.Count, side.Mesh.Faces.Count, side.Mesh.Area)));
         Assert.Single(Models.Create("cube").SplitRegions(Math.PI * 0.6));
+        // An edge exactly as sharp as the bound is not sharper.
+        Assert.Single(Models.Create("cube").SplitRegions(Math.PI / 2));
+        Assert.Equal(6, Models.Create("cube").SplitRegions(0).Count);
+        Assert.Single(Models.Create("cube").SplitRegions(Math.PI));
         Assert.Throws<ArgumentOutOfRangeException>(() => Models.Create("cube").SplitRegions(double.NaN));
+        Assert.Throws<ArgumentOutOfRangeException>(() => Models.Create("cube").SplitRegions(-1e-9));
     }
 }

@@ -38,6 +38,61 @@ public class PlanarTriangulationTests
             [[0, 1, 2, 3], [4, 5, 6, 7], [8, 9, 10, 11]], 14, triangles: 14);
     }
 
+    [Fact]
+    public void Triangulate_IslandWithAHoleOfItsOwn_JoinsItToTheIsland()
+    {
+        foreach (int[] order in (int[][])[[0, 1, 2, 3], [3, 2, 1, 0], [2, 3, 0, 1]])
+        {
+            var points = new List<Vector2D>();
+            int[][] loops = [Square(points, 0, 0, 9), [.. Square(points, 1, 1, 7).Reverse()], Square(points, 2, 2, 5), [.. Square(points, 3, 3, 3).Reverse()]];
+            AssertTriangulation([.. points], [.. order.Select(i => loops[i])], 81 - 49 + 25 - 9, triangles: 16);
+        }
+    }
+
+    [Fact]
+    public void Triangulate_HolesWhoseViewIsHidden_AreJoinedToWhatHides()
+    {
+        Vector2D[] hole = [new(1, 5.25), new(2, 5), new(1, 4.75)];
+        // A tip between the hole and the corner that the ray would choose; two tips in one line; the same from below, where the wall leans.
+        AssertHole([new(0, 0), new(10, 0), new(10, 10), new(7, 10), new(6, 6), new(5, 10), new(0, 10)], hole);
+        AssertHole([new(0, 0), new(10, 0), new(10, 10), new(7, 10), new(6, 6), new(5, 10), new(4.5, 10), new(4, 5.5), new(3.5, 10), new(0, 10)], hole);
+        AssertHole([new(0, 0), new(5, 0), new(6, 4), new(7, 0), new(11, 0), new(10, 10), new(0, 10)], hole);
+        AssertHole([new(0, 0), new(3.5, 0), new(4, 4.5), new(4.5, 0), new(5, 0), new(6, 4), new(7, 0), new(11, 0), new(10, 10), new(0, 10)], hole);
+        // A wall that leans so far that its lower end lies behind the hole.
+        AssertHole([new(0, 0), new(10, 10), new(0, 10)], (Vector2D[])[new(3, 8), new(2.9, 4), new(1, 3)]);
+    }
+
+    [Fact]
+    public void Triangulate_TwoHolesJoinedToOneTip_AreJoinedOnTheirOwnSides()
+    {
+        Vector2D[] first = [new(1, 5.25), new(2, 5), new(1, 4.75)], above = [new(0.5, 6.5), new(1.5, 6), new(0.5, 5.8)], below = [new(0.5, 4.2), new(1.5, 4), new(0.5, 3.5)];
+        Vector2D[] fromBelow = [new(0, 0), new(5, 0), new(6, 4), new(7, 0), new(11, 0), new(10, 10), new(0, 10)];
+        Vector2D[] fromAbove = [new(0, 0), new(10, 0), new(11, 10), new(7, 10), new(6, 6), new(5, 10), new(0, 10)];
+        foreach (Vector2D[] outline in (Vector2D[][])[fromBelow, fromAbove])
+        {
+            AssertHole(outline, first, above);
+            AssertHole(outline, first, below);
+            AssertHole(outline, first, above, below);
+        }
+    }
+
+    private static void AssertHole(Vector2D[] outline, params Vector2D[][] holes)
+    {
+        Vector2D[] points = [.. outline, .. holes.SelectMany(hole => hole)];
+        List<int[]> loops = [[.. Enumerable.Range(0, outline.Length)]];
+        double area = PlanarPolygons.DoubleArea(outline) / 2;
+        int first = outline.Length;
+        foreach (Vector2D[] hole in holes)
+        {
+            double own = PlanarPolygons.DoubleArea(hole) / 2;
+            Assert.True(own < 0, "Holes run clockwise.");
+            area += own;
+            loops.Add([.. Enumerable.Range(first, hole.Length)]);
+            first += hole.Length;
+        }
+        AssertTriangulation(points, [.. loops], area, points.Length - 2 + (2 * holes.Length));
+    }
+
     [Theory]
     [InlineData(1)]
     [InlineData(2)]
@@ -72,7 +127,7 @@ public class PlanarTriangulationTests
     {
         Vector2D[] points = [new(0, 0), new(4, 3), new(4, 0), new(0, 2)];
         var corners = new List<int>();
-        PlanarTriangulation.Triangulate(points, [[0, 1, 2, 3]], corners);
+        Assert.False(PlanarTriangulation.Triangulate(points, [[0, 1, 2, 3]], corners));
         Assert.Equal(PlanarPolygons.DoubleArea(points), corners.Chunk(3).Sum(t => Cross(points, t)), 1e-12);
         Assert.Equal(6, corners.Count);
     }

@@ -192,9 +192,139 @@ public class PlaneCutTests
     }
 
     [Fact]
+    public void CuttingPlane_NormalOfAnyLength_IsTheSamePlane()
+    {
+        var plane = new CuttingPlane(new(0, 0, 4), 1);
+        Assert.Equal((Vector3D.UnitZ, 0.25), (plane.Normal, plane.Offset));
+        Assert.Equal(0.5, plane.Distance(new(7, 8, 0.75)));
+        Assert.Equal(plane, CuttingPlane.Through(new(7, 8, 0.25), new(0, 0, 4)));
+        // Twice as long, a quarter up: a box of height 0.75 above.
+        AssertClosed(Models.Create("cube").Clip(plane, PlaneSide.Above, Capped), 0.75);
+        Assert.Equal(new Vector3D(0, 0.6, 0.8), new CuttingPlane(new(0, 3, 4), 5).Normal);
+        Assert.Equal(1, new CuttingPlane(new(0, 3, 4), 5).Offset);
+    }
+
+    [Fact]
+    public void ComputeSection_VerticesJustWithinTheTolerance_LieOnThePlane()
+    {
+        Mesh cube = Models.Create("cube");
+        var plane = new CuttingPlane(Vector3D.UnitZ, 1.25);
+        Assert.Equal(4, cube.ComputeSection(plane, 0.25).Length);
+        Assert.All(cube.ComputeSection(plane, 0.25).Polylines.Single().Points, p => Assert.Equal(1, p.Z));
+        Assert.Empty(cube.ComputeSection(plane, 0.2499).Polylines);
+        AssertClosed(cube.Clip(plane, PlaneSide.Below, new PlaneCutOptions { Cap = true, Tolerance = 0.25 }), 1);
+    }
+
+    [Fact]
+    public void ComputeSection_OpenLine_HasNoArea()
+    {
+        Mesh grid = Models.Triangulated(Models.QuadGrid(4, 4));
+        PlaneSectionResult section = grid.ComputeSection(new(Vector3D.UnitX, 0.3));
+        Assert.Equal((0, 1), (section.ClosedLoops, section.OpenChains));
+        Assert.Null(section.Area);
+        Assert.Equal(0, section.Polylines.Single().Area);
+        // A line that is open takes the area from the whole section, though the other line is closed.
+        grid.Append(Models.Create("cube"));
+        section = grid.ComputeSection(new(Vector3D.UnitX, 0.3));
+        Assert.Equal((1, 1), (section.ClosedLoops, section.OpenChains));
+        Assert.Null(section.Area);
+    }
+
+    [Fact]
+    public void ComputeSection_TipOnThePlane_IsCrossedButLeavesNoLine()
+    {
+        PlaneSectionResult section = Models.Create("octahedron").ComputeSection(new(Vector3D.UnitZ, 1));
+        Assert.Equal((4, 0), (section.Segments, section.Polylines.Count));
+        Assert.Equal((0.0, 0.0), (section.Length, section.Area!.Value));
+    }
+
+    [Theory]
+    [MemberData(nameof(Models.ClosedTriangleMeshes), MemberType = typeof(Models))]
+    public void ComputeSection_PlanesThroughVertices_RepeatNoPoint(string name)
+    {
+        Mesh mesh = Models.Create(name);
+        for (int v = 0; v < Math.Min(mesh.VertexSlots, 40); v++)
+        {
+            foreach (Vector3D normal in (Vector3D[])[Vector3D.UnitX, -Vector3D.UnitY, new(1, -2, 3)])
+            {
+                foreach (SectionPolyline line in mesh.ComputeSection(CuttingPlane.Through(mesh.Positions[v], normal)).Polylines)
+                {
+                    Assert.True(line.IsClosed && line.Points.Count > 1);
+                    for (int i = 0; i < line.Points.Count; i++)
+                        Assert.NotEqual(line.Points[i], line.Points[(i + 1) % line.Points.Count]);
+                }
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(3, 2, 1)]
+    [InlineData(1, 2, 3)]
+    [InlineData(2, 3, 1)]
+    [InlineData(2, 1, 3)]
+    public void ComputeSection_BoxesInBoxes_NamesTheSmallestAround(params int[] sizes)
+    {
+        var boxes = new Mesh();
+        foreach (int size in sizes)
+        {
+            Mesh box = Models.Create("cube");
+            foreach (Vertex v in box.Vertices)
+                v.Position = (v.Position - new Vector3D(0.5, 0.5, 0.5)) * size;
+            boxes.Append(box);
+        }
+        IReadOnlyList<SectionPolyline> lines = boxes.ComputeSection(new(Vector3D.UnitZ, 0.125)).Polylines;
+        Assert.Equal(sizes.Select(size => (double)size * size), lines.Select(line => line.Area));
+        Assert.Equal(sizes.Select(size => 3 - size), lines.Select(line => line.Depth));
+        Assert.Equal(sizes.Select(size => Array.IndexOf(sizes, size + 1)), lines.Select(line => line.Parent));
+    }
+
+    [Fact]
+    public void Split_PlaneAlongARidge_TouchesItAndCapsNothing()
+    {
+        // A roof: the line runs along the ridge of two edges and back.
+        Mesh roof = MeshBuilder.FromTriangles(
+            [new(0, 0, 0), new(2, 0, 0), new(2, 2, 0), new(0, 2, 0), new(0, 1, 1), new(1, 1, 1), new(2, 1, 1)],
+            [0, 2, 1, 0, 3, 2, 0, 1, 5, 0, 5, 4, 1, 6, 5, 2, 3, 5, 2, 5, 6, 3, 4, 5, 1, 2, 6, 0, 4, 3]);
+        Assert.Empty(roof.Validate());
+        Assert.True(roof.IsClosed);
+        (PlaneCutResult above, PlaneCutResult below) = roof.Split(new(Vector3D.UnitZ, 1), Capped);
+        Assert.Equal(0, above.Part.Mesh.Faces.Count);
+        AssertClosed(below, 2);
+        Assert.Equal((7, 10, 0), (below.Part.Mesh.Vertices.Count, below.Part.Mesh.Faces.Count, below.CapFaces));
+        Assert.Equal(Enumerable.Range(0, 7), below.Part.SourceVertex.Order());
+    }
+
+    [Fact]
+    public void Clip_IsolatedVertices_AreLeftOut()
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(9, 9, 9), new(0, 0, 0), new(1, 0, 0), new(0, 0, 1), new(0, 1, 0)], [1, 3, 2, 1, 2, 4, 2, 3, 4, 3, 1, 4]);
+        MeshPart part = mesh.Clip(new(Vector3D.UnitZ, -1), PlaneSide.Above).Part;
+        Assert.Equal([1, 2, 3, 4], part.SourceVertex);
+        Assert.Equal([-1, 0, 1, 2, 3], part.NewVertex);
+    }
+
+    [Fact]
+    public void Clip_FaceInTwoPieces_NamesTheLowest()
+    {
+        // One triangle with two vertices above: a quadrilateral, cut in two.
+        Mesh triangle = MeshBuilder.FromTriangles([new(0, 0, 0), new(2, 2, 0), new(-2, 2, 0)], [0, 1, 2]);
+        MeshPart part = triangle.Clip(new(Vector3D.UnitY, 1), PlaneSide.Above).Part;
+        Assert.Equal([0, 0], part.SourceFace);
+        Assert.Equal([0], part.NewFace);
+        Assert.Equal([-1, 0, 1], part.NewVertex);
+        Assert.Equal([1, 2, -1, -1], part.SourceVertex);
+        Assert.Equal(
+            new[] { -1, -1, triangle.FindEdge(triangle.Vertices[0], triangle.Vertices[1]).Index, triangle.FindEdge(triangle.Vertices[2], triangle.Vertices[0]).Index }.Order(),
+            part.SourceEdge.Order());
+        Assert.Equal(3, part.Mesh.Area, 1e-15);
+    }
+
+    [Fact]
     public void Cut_BadInput_IsRefused()
     {
-        Assert.Throws<ArgumentException>(() => new CuttingPlane(default, 1));
+        ArgumentException zero = Assert.Throws<ArgumentException>(() => new CuttingPlane(default, 1));
+        Assert.Equal("normal", zero.ParamName);
+        Assert.Contains("not zero", zero.Message, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(() => new CuttingPlane(new(double.NaN, 0, 1), 1));
         Assert.Throws<ArgumentException>(() => new CuttingPlane(new(0, 0, double.PositiveInfinity), 1));
         Assert.Throws<ArgumentException>(() => new CuttingPlane(Vector3D.UnitX, double.NaN));

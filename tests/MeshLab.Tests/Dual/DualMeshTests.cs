@@ -129,6 +129,74 @@ public class DualMeshTests
         Assert.Throws<ArgumentOutOfRangeException>(() => new DualOptions { Form = (DualForm)7 });
     }
 
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void ComputeDual_RightAngleAtAnyCorner_IsNotAcute(int corner)
+    {
+        Mesh mesh = Models.Create("one-triangle");
+        (mesh.Positions[corner], mesh.Positions[(corner + 1) % 3], mesh.Positions[(corner + 2) % 3]) = (new(0, 0, 0), new(3, 0, 0), new(0, 6, 0));
+        Assert.Equal(new(1, 2, 0), mesh.ComputeDual(new DualOptions { Center = DualCenter.CircumcenterIfAcute }).Mesh.Positions[0]);
+        Assert.Equal(new(1.5, 3, 0), mesh.ComputeDual(new DualOptions { Center = DualCenter.Circumcenter }).Mesh.Positions[0]);
+    }
+
+    [Fact]
+    public void ComputeDual_TriangleWithoutArea_HasItsBarycentre()
+    {
+        Mesh mesh = Models.Create("one-triangle");
+        (mesh.Positions[0], mesh.Positions[1], mesh.Positions[2]) = (new(0, 0, 0), new(1, 0, 0), new(5, 0, 0));
+        foreach (DualCenter center in Enum.GetValues<DualCenter>())
+            Assert.Equal(new(2, 0, 0), mesh.ComputeDual(new DualOptions { Center = center }).Mesh.Positions[0]);
+    }
+
+    [Fact]
+    public void ComputeDual_CircumcentreIfAcuteOfAPolygon_IsItsBarycentre()
+    {
+        // Any three corners in a row that begin with an end of the long side are an acute triangle.
+        Mesh quad = MeshBuilder.FromPolygons([new(0, 0, 0), new(4, 0, 0), new(2, 3, 0), new(0, 3, 0)], [0, 1, 2, 3]);
+        Assert.Equal(new(1.5, 1.5, 0), quad.ComputeDual(new DualOptions { Center = DualCenter.CircumcenterIfAcute }).Mesh.Positions[0]);
+    }
+
+    [Fact]
+    public void ComputeDual_CellsThatTouchInACentreAlone_HaveACopyEachNamedByItsFace()
+    {
+        // Without two opposite corner squares only v5 and v10 lie inside; their cells meet in the middle of f4.
+        Mesh grid = Models.QuadGrid(3, 3);
+        grid.Faces[2].Delete();
+        grid.Faces[6].Delete();
+        DualResult pure = grid.ComputeDual(new DualOptions { Boundary = DualBoundary.Omitted });
+        Assert.Equal([0, 1, 3, 4, 5, 7, 8, 4], pure.SourceFace);
+        Assert.Equal([5, 10], pure.SourceVertex);
+        Assert.Equal(pure.Mesh.Positions[3], pure.Mesh.Positions[7]);
+        Assert.Empty(pure.Mesh.Validate());
+
+        DualResult cells = grid.ComputeDual(new DualOptions { Form = DualForm.Cells, Boundary = DualBoundary.Omitted });
+        int edges = grid.Edges.Count;
+        Assert.Equal([0, 1, 3, 4, 5, 7, 8, .. Enumerable.Repeat(-1, edges), 4], cells.SourceFace);
+        Assert.Equal([5, 10], cells.SourceVertex);
+        Assert.Empty(cells.Mesh.Validate());
+        Mesh compact = grid.Clone();
+        compact.Compact();
+        Assert.Equal([0, 1, 2, 3, 4, 5, 6, 3], compact.ComputeDual(new DualOptions { Boundary = DualBoundary.Omitted }).SourceFace);
+        Assert.Equal([.. Enumerable.Range(0, 7), .. Enumerable.Repeat(-1, edges), 3], compact.ComputeDual(new DualOptions { Form = DualForm.Cells, Boundary = DualBoundary.Omitted }).SourceFace);
+    }
+
+    [Fact]
+    public void ComputeDual_FacesThatShareTwoEdges_AreRefusedIfBothHaveADual()
+    {
+        // A square cut in two along a path over v4.
+        Mesh square = MeshBuilder.FromFaces(5, [0, 1, 2, 4], [0, 4, 2, 3]);
+        Assert.Equal(["f0", "f1"], Assert.Throws<TopologyException>(() => square.ComputeDual()).Elements);
+        Assert.Equal(["f0", "f1"], Assert.Throws<TopologyException>(() => square.ComputeDual(new DualOptions { Boundary = DualBoundary.Omitted })).Elements);
+        Assert.Equal(5, square.ComputeDual(new DualOptions { Form = DualForm.Cells }).Mesh.Faces.Count);
+        // A ring of two halves: no vertex inside, so that no edge has a dual unless boundary cells are closed.
+        Mesh ring = MeshBuilder.FromFaces(8, [0, 1, 2, 6, 5, 4], [2, 3, 0, 4, 7, 6]);
+        Assert.Equal(["f0", "f1"], Assert.Throws<TopologyException>(() => ring.ComputeDual()).Elements);
+        Mesh none = ring.ComputeDual(new DualOptions { Boundary = DualBoundary.Omitted }).Mesh;
+        Assert.Equal((2, 0, 0), (none.Vertices.Count, none.Edges.Count, none.Faces.Count));
+    }
+
     [SkippableTheory]
     [MemberData(nameof(ReferenceData.PublicModelCases), MemberType = typeof(ReferenceData))]
     public void ComputeDual_PublicModels_HasCountsPositionsAndInverse(string name)
