@@ -13,7 +13,7 @@ public static class Section_11_1
     {
         TopologyReport report = mesh.ComputeTopology();
         output.Table(
-            $"{report.Components.Count} components, {report.IsolatedVertices} isolated vertices",
+            $"components: {report.Components.Count}, isolated vertices: {report.IsolatedVertices}",
             ["first vertex", "V", "E", "F", "χ", "boundary loops", "genus"],
             report.Components.Take(20).Select(c => new object[] { c.FirstVertex, c.Vertices, c.Edges, c.Faces, c.EulerCharacteristic, c.BoundaryLoops, c.Genus }));
         output.Picture("components", mesh, Coloring.FaceLabels(mesh.FindComponents().FaceLabels, "component"));
@@ -23,7 +23,7 @@ public static class Section_11_1
             SoupTopologyReport soup = SoupTopology.Examine(named.Soup);
             string[] wrong =
             [
-                .. soup.NonManifoldEdges.Take(1).Select(e => $"edge {e}"), .. soup.NonManifoldVertices.Take(1).Select(v => $"fans meet in v{v}"),
+                .. soup.NonManifoldEdges.Take(1).Select(e => $"edge {e}"), .. soup.NonManifoldVertices.Take(3).Select(v => $"fans meet in v{v}"),
                 .. soup.FlippedFaces.Take(1).Select(f => $"f{f} to be turned"), .. soup.UnorientableEdges.Take(1).Select(e => $"closes a Möbius band: {e}"),
             ];
             return new object[] { named.Name, soup.IsManifold, soup.IsOrientable, soup.IsOriented, string.Join("; ", wrong) };

@@ -1,4 +1,5 @@
 using System.Globalization;
+using MeshLab.Numerics;
 using MeshLab.Structure;
 using MeshLab.Visualization;
 using Spectre.Console;
@@ -23,10 +24,12 @@ public sealed class DemoOutput
     /// <summary>Size of the pictures as a share of what the demo asks for.</summary>
     internal double PictureScale { get; init; } = 1;
 
-    /// <summary>Says something; numbers in it are formatted with the invariant culture.</summary>
+    /// <summary>Says something; numbers in it have six digits unless they say otherwise, in the invariant culture.</summary>
     public void Line(FormattableString text)
     {
-        string line = FormattableString.Invariant(text);
+        ArgumentNullException.ThrowIfNull(text);
+        object[] values = [.. text.GetArguments().Select(value => value is double or float or Vector3D ? new SixDigits((IFormattable)value) : value!)];
+        string line = string.Format(CultureInfo.InvariantCulture, text.Format, values);
         items.Add(new DemoLine(line));
         terminal?.WriteLine(line);
     }
@@ -93,10 +96,15 @@ public sealed class DemoOutput
 
     private static string Format(object value) => value switch
     {
-        double number => number.ToString("G6", CultureInfo.InvariantCulture),
+        double or float or Vector3D => ((IFormattable)value).ToString("G6", CultureInfo.InvariantCulture),
         IFormattable number => number.ToString(null, CultureInfo.InvariantCulture),
         _ => value?.ToString() ?? "",
     };
+
+    private readonly record struct SixDigits(IFormattable Number) : IFormattable
+    {
+        public string ToString(string? format, IFormatProvider? provider) => Number.ToString(string.IsNullOrEmpty(format) ? "G6" : format, provider);
+    }
 }
 
 internal abstract record DemoItem;

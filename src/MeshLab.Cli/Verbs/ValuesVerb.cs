@@ -1,6 +1,7 @@
 using System.CommandLine;
 using MeshLab.Cli.Hosting;
 using MeshLab.Cli.Values;
+using MeshLab.Geometry;
 using MeshLab.Numerics;
 using MeshLab.Structure;
 
@@ -52,7 +53,8 @@ internal sealed class ValuesVerb : Verb
             .Add("components", components);
         if (value.Mark.Kind == ElementKind.Edge)
             context.Result.Add("pairs", Pairs(mesh, order));
-        context.Result.Add("values", values).Add("skipped", skipped);
+        mesh.ComputeFaceNormals(out int zeroAreaFaces);
+        context.Result.Add("values", values).Add("skipped", skipped).Add("zeroAreaFaces", zeroAreaFaces);
     }
 
     /// <summary>The slots in the order of the contract: vertices and faces as in the file, corners face by face, edges by their smaller, then larger vertex.</summary>

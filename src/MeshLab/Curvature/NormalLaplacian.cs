@@ -26,7 +26,7 @@ public static class NormalLaplacian
         {
             for (int v = from; v < to; v++)
             {
-                if (!(areas[v] > 0))
+                if (!(areas[v] > 0) || normals[v] == default)
                     continue;
                 double squares = SumOfSquares(mesh, v, normals) / (2 * areas[v]);
                 double root = Math.Sqrt(Math.Max(0, 2 * squares - 4 * mean[v] * mean[v])) / 2;
@@ -62,6 +62,6 @@ public static class NormalLaplacian
         return sum;
     }
 
-    /// <summary>1 − a · b for unit vectors, without cancellation.</summary>
-    private static double Change(Vector3D a, Vector3D b) => Vector3D.DistanceSquared(a, b) / 2;
+    /// <summary>1 − a · b for unit vectors, without cancellation; nothing is known of a neighbour without a normal.</summary>
+    private static double Change(Vector3D a, Vector3D b) => b == default ? 0 : Vector3D.DistanceSquared(a, b) / 2;
 }

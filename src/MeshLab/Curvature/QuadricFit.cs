@@ -21,8 +21,6 @@ internal readonly record struct QuadricFit(double X, double Y, double XX, double
         foreach (int p in points)
             size += (positions[p] - origin).Length;
         fit = default;
-        if (!(size > 0))
-            return false;
         // Lengths are measured in mean distances, so that the six columns are of like size and normal equations lose few digits.
         double unit = size / points.Length, scale = 1 / unit;
         Moments sums = default;

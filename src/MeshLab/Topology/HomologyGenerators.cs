@@ -5,7 +5,8 @@ namespace MeshLab.Topology;
 /// <summary>Options of <see cref="HomologyGenerators"/>.</summary>
 public sealed record HomologyOptions
 {
-    /// <summary>Whether the trees are chosen for short loops (Erickson, Whittlesey 2005) and each loop is then shortened greedily.</summary>
+    /// <summary>Whether the loops are to be short: each is shortened greedily, and gives way to a shorter one of the trees chosen for short loops
+    /// (Erickson, Whittlesey 2005) where the loops remain a basis. Ordered by length, no loop is longer than without.</summary>
     public bool Shorten { get; init; }
 }
 
@@ -28,16 +29,27 @@ public sealed record MeshLoop(IReadOnlyList<HalfEdge> HalfEdges, double Length)
 ///      ╰───────────╯           each closes one loop with T
 /// </code>
 /// Boundary loops are taken as filled, so a surface with boundary has 2g generators too. Each loop is simple. The loops are independent, because cutting along
-/// all of them does not separate the surface. O(V + E) breadth first, O(E log E) with shortening.
+/// all of them does not separate the surface. O(V + E) breadth first; with shortening O(E log E), and for n loops O(n E + n³) at most.
 /// </remarks>
 public static class HomologyGenerators
 {
-    /// <summary>The 2g generators of each component, in order of the edge that closes them.</summary>
+    /// <summary>The 2g generators of each component, in order of the edge that closes them; when shortened, of the edge whose loop they stand for.</summary>
     public static IReadOnlyList<MeshLoop> Compute(Mesh mesh, HomologyOptions? options = null, CancellationToken cancellationToken = default)
     {
         ArgumentNullException.ThrowIfNull(mesh);
         options ??= new();
-        var trees = new TreeCotree(mesh, options.Shorten);
+        var trees = new TreeCotree(mesh, shortest: false);
+        MeshLoop[] basis = Loops(trees, options, cancellationToken);
+        if (options.Shorten && basis.Length > 0)
+        {
+            MeshLoop[] others = Loops(new TreeCotree(mesh, shortest: true), options, cancellationToken);
+            LoopExchange.Shorten(basis, others, loop => trees.Coordinates(loop.HalfEdges), cancellationToken);
+        }
+        return basis;
+    }
+
+    private static MeshLoop[] Loops(TreeCotree trees, HomologyOptions options, CancellationToken cancellationToken)
+    {
         var loops = new List<MeshLoop>();
         foreach (int e in trees.RemainingEdges)
         {
@@ -47,6 +59,6 @@ public static class HomologyGenerators
                 LoopShortening.Shorten(loop);
             loops.Add(new(loop, loop.Sum(h => h.Edge.Length)));
         }
-        return loops;
+        return [.. loops];
     }
 }

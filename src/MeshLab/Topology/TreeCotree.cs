@@ -20,6 +20,10 @@ internal sealed class TreeCotree
 
     private readonly bool[] isUsed;
 
+    /// <summary>Per half-edge the face or hole to its left, and the half-edges over which the cotree goes down from it, parents first.</summary>
+    private int[] nodes = [];
+    private readonly List<int> downCotree = [];
+
     /// <summary>Grows both trees.</summary>
     /// <param name="mesh">A mesh.</param>
     /// <param name="shortest">Shortest-path tree and longest cotree (Erickson, Whittlesey 2005), else breadth first.</param>
@@ -58,6 +62,60 @@ internal sealed class TreeCotree
         for (int i = toB.Count - 1; i >= common; i--)
             loop.Add(new(mesh, toB[i] ^ 1));
         return loop;
+    }
+
+    /// <summary>A loop as a sum of the loops through the remaining edges: how often each of them is in it, up to boundaries of faces and holes.</summary>
+    /// <remarks>
+    /// The edge i and the cotree close one path of faces, which crosses the loop through i once and no other of those loops. So the number is how
+    /// often that path crosses the given loop, from one side less from the other. O(V + E).
+    /// </remarks>
+    public long[] Coordinates(IEnumerable<HalfEdge> loop)
+    {
+        if (downCotree.Count == 0)
+            WalkCotree();
+        var passes = new int[mesh.EdgeSlots];
+        foreach (HalfEdge h in loop)
+            passes[h.index >> 1] += Sign(h.index);
+        // Crossings on the way from the cotree's root.
+        var crossed = new long[mesh.FaceSlots + mesh.HalfEdgeSlots];
+        foreach (int h in downCotree)
+            crossed[nodes[h ^ 1]] = crossed[nodes[h]] + passes[h >> 1] * Sign(h);
+        return [.. RemainingEdges.Select(e => passes[e] + crossed[nodes[2 * e]] - crossed[nodes[2 * e + 1]])];
+
+        static int Sign(int h) => 1 - 2 * (h & 1);
+    }
+
+    /// <summary>Puts the half-edges that the cotree crosses in order, breadth first from the lowest face or hole of each component.</summary>
+    private void WalkCotree()
+    {
+        var isRemaining = new bool[mesh.EdgeSlots];
+        foreach (int e in RemainingEdges)
+            isRemaining[e] = true;
+        var seen = new bool[mesh.FaceSlots + mesh.HalfEdgeSlots];
+        var waiting = new Queue<int>();
+        for (int root = 0; root < nodes.Length; root++)
+        {
+            if (nodes[root] < 0 || seen[nodes[root]])
+                continue;
+            seen[nodes[root]] = true;
+            waiting.Enqueue(root);
+            while (waiting.TryDequeue(out int first))
+            {
+                int h = first;
+                do
+                {
+                    bool isInTree = fromParent[mesh.target[h]] == h || fromParent[mesh.target[h ^ 1]] == (h ^ 1);
+                    if (!isInTree && !isRemaining[h >> 1] && !seen[nodes[h ^ 1]])
+                    {
+                        seen[nodes[h ^ 1]] = true;
+                        downCotree.Add(h);
+                        waiting.Enqueue(h ^ 1);
+                    }
+                    h = mesh.next[h];
+                }
+                while (h != first);
+            }
+        }
     }
 
     private List<int> PathFromRoot(int v)
@@ -146,7 +204,7 @@ internal sealed class TreeCotree
             Array.Sort(order, (i, j) => key[i] != key[j] ? key[i].CompareTo(key[j]) : edges[i].CompareTo(edges[j]));
             edges = Array.ConvertAll(order, i => edges[i]);
         }
-        int[] nodes = FacesAndHoles();
+        nodes = FacesAndHoles();
         int[] parent = [.. Enumerable.Range(0, mesh.FaceSlots + mesh.HalfEdgeSlots)];
         foreach (int e in edges)
         {

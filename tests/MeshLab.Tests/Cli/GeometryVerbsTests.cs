@@ -57,6 +57,21 @@ public sealed class GeometryVerbsTests : IDisposable
         }
     }
 
+    [Theory]
+    [InlineData("normal")]
+    [InlineData("area")]
+    [InlineData("normal-angle")]
+    public void Values_FacesOfZeroArea_AreCounted(string name)
+    {
+        string path = Save(MeshBuilder.FromTriangles([new(0, 0, 0), new(1, 0, 0), new(0, 1, 0), new(2, 0, 0)], [0, 1, 2, 1, 0, 3]));
+        JsonElement result = Run(0, "values", path, "--of", name);
+        Assert.Equal(1, result.GetProperty("zeroAreaFaces").GetInt32());
+        Assert.All(ReferenceData.Numbers(result.GetProperty("values")), x => Assert.False(double.IsNaN(x)));
+        if (name == "normal")
+            Assert.Equal([0, 0, 1, 0, 0, 0], ReferenceData.Numbers(result.GetProperty("values")));
+        Assert.Equal(0, Run(0, "values", Save(Models.Create("grid")), "--of", name).GetProperty("zeroAreaFaces").GetInt32());
+    }
+
     [SkippableTheory]
     [InlineData(20)]
     [InlineData(30)]

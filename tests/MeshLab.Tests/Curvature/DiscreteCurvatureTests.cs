@@ -98,6 +98,22 @@ public class DiscreteCurvatureTests
     }
 
     [Fact]
+    public void Mean_SpikyMesh_HasTheSignOfTheAngleWeightedNormal()
+    {
+        Mesh mesh = AnalyticSurface.Sphere.Mesh(12);
+        var random = new Random(5);
+        foreach (Vertex v in mesh.Vertices)
+            v.Position *= 0.2 + 2 * random.NextDouble();
+        Vector3D[] normals = mesh.ComputeVertexNormals(), curvature = mesh.ComputeMeanCurvatureNormals();
+        double[] mean = mesh.ComputeMeanCurvature();
+        foreach (Vertex v in mesh.Vertices)
+        {
+            Assert.Equal(Math.Sign(Vector3D.Dot(curvature[v.Index], normals[v.Index])), Math.Sign(mean[v.Index]));
+            Assert.Equal(curvature[v.Index].Length / 2, Math.Abs(mean[v.Index]), 1e-12 * (1 + Math.Abs(mean[v.Index])));
+        }
+    }
+
+    [Fact]
     public void Curvatures_ZeroAreaFaceAndIsolatedVertex_NoInfinity()
     {
         Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(1, 0, 0), new(2, 0, 0), new(1, 1, 0), new(9, 9, 9)], [0, 1, 2, 0, 2, 3]);

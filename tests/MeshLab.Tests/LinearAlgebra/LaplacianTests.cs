@@ -1,4 +1,5 @@
 using System.Text.Json;
+using MeshLab.Editing;
 using MeshLab.IO;
 using MeshLab.LinearAlgebra;
 using MeshLab.Numerics;
@@ -191,5 +192,35 @@ public class LaplacianTests
         var ones = new double[matrix.Size];
         Array.Fill(ones, 1);
         return matrix.QuadraticForm(ones);
+    }
+
+    [Fact]
+    public void MeanValueWeights_OneTriangle_SeeItFromBothSidesOfItsEdges()
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(2, 0, 0), new(0, 2, 0)], [0, 1, 2]);
+        double[] weights = mesh.ComputeMeanValueWeights();
+        double half = Math.Tan(Math.PI / 8);
+        foreach (HalfEdge h in mesh.HalfEdges)
+            Assert.Equal((h.Source.Index == 0 ? 1 : half) / h.Edge.Length, weights[h.Index], 1e-14);
+    }
+
+    [Fact]
+    public void MeanValueWeights_CoincidentVertices_AreFinite()
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(0, 0, 0), new(1, 0, 0), new(1, 0, 0), new(0, 1, 0)], [0, 1, 2, 0, 2, 3]);
+        Assert.All(mesh.ComputeMeanValueWeights(), w => Assert.True(double.IsFinite(w)));
+    }
+
+    [Fact]
+    public void MeanValueWeights_AfterDeletions_AreThoseOfTheCompactMesh()
+    {
+        Mesh mesh = Models.Create("grid");
+        mesh.Vertices[0].Delete();
+        Assert.False(mesh.IsCompact);
+        Mesh compact = mesh.Clone();
+        compact.Compact();
+        double[] weights = mesh.ComputeMeanValueWeights();
+        Assert.Equal(compact.ComputeMeanValueWeights(), mesh.HalfEdges.Select(h => weights[h.Index]));
+        Assert.Empty(mesh.Validate());
     }
 }

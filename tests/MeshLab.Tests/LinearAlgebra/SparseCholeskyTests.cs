@@ -205,6 +205,117 @@ public class SparseCholeskyTests
     }
 
     [Fact]
+    public void Factor_AfterFailureOrCancellation_CanBeUsedAgain()
+    {
+        (SparseMatrix a, Vector3D[] positions) = Matrices.Grids(60, 50, 0.1);
+        (SparseMatrix bad, _) = Matrices.Grids(60, 50, 0.1);
+        bad.Diagonal[1700] = -1;
+        double[] b = Matrices.RandomVector(a.Size, 2);
+        var cholesky = new SparseCholesky(a, positions);
+        long[] expected = Matrices.Bits(cholesky.Solve(b));
+
+        Assert.Throws<NotPositiveDefiniteException>(() => cholesky.Factor(bad));
+        cholesky.Factor(a);
+        Assert.Equal(expected, Matrices.Bits(cholesky.Solve(b)));
+
+        Assert.Throws<OperationCanceledException>(() => cholesky.Factor(a, new CancellationToken(canceled: true)));
+        Assert.Throws<InvalidOperationException>(() => cholesky.Solve(b));
+        cholesky.Factor(a);
+        Assert.Equal(expected, Matrices.Bits(cholesky.Solve(b)));
+    }
+
+    [Theory]
+    [InlineData(-1)]
+    [InlineData(40)]
+    [InlineData(2950)]
+    public void Factor_DoneFailedOrCancelled_LeavesNothingPinned(int badColumn)
+    {
+        (SparseMatrix a, Vector3D[] positions) = Matrices.Grids(60, 50, 0.1);
+        CholeskyAnalysis analysis = CholeskyAnalysis.Of(a, positions);
+        (SparseMatrix matrix, _) = Matrices.Grids(60, 50, 0.1);
+        if (badColumn >= 0)
+            matrix.Diagonal[analysis.Order[badColumn]] = -1;
+        var cholesky = new SparseCholesky(a, analysis);
+        const int Rounds = 300;
+
+        long before = PinnedObjects();
+        for (int round = 0; round < Rounds; round++)
+        {
+            // Not disposed of: another thread may yet cancel it.
+            var source = new CancellationTokenSource();
+            if (round % 3 == 1)
+                source.Cancel();
+            if (round % 3 == 2)
+                ThreadPool.UnsafeQueueUserWorkItem(static s => s.Cancel(), source, preferLocal: false);
+            try
+            {
+                cholesky.Factor(matrix, source.Token);
+            }
+            catch (Exception e) when (e is NotPositiveDefiniteException or OperationCanceledException)
+            {
+                // Both are meant to happen.
+            }
+        }
+
+        // Others may pin a few objects meanwhile; one forgotten array per round would be a hundred and more.
+        Assert.InRange(PinnedObjects() - before, long.MinValue, Rounds / 6);
+
+        static long PinnedObjects()
+        {
+            GC.Collect(GC.MaxGeneration, GCCollectionMode.Forced, blocking: true, compacting: false);
+            return GC.GetGCMemoryInfo(GCKind.FullBlocking).PinnedObjectsCount;
+        }
+    }
+
+    [Fact]
+    public unsafe void Factor_CancelledBefore_TouchesNothing()
+    {
+        (SparseMatrix a, Vector3D[] positions) = Matrices.Grids(60, 50, 0.1);
+        CholeskyAnalysis analysis = CholeskyAnalysis.Of(a, positions);
+        var storage = new double[analysis.Nodes.PanelStart[^1] + 64];
+        fixed (double* factor = storage)
+        {
+            try
+            {
+                Multifrontal.Run(analysis, a, factor, new PivotRule(0, false), new CancellationToken(canceled: true));
+                Assert.Fail("It was not cancelled.");
+            }
+            catch (OperationCanceledException)
+            {
+                Assert.All(storage, x => Assert.Equal(0, x));
+            }
+        }
+    }
+
+    [Fact]
+    public void FixedRows_OfAnyOrder_Rise()
+    {
+        SparseMatrix a = SparseMatrix.FromDiagonal([0, 4, 0]);
+        var cholesky = new SparseCholesky(a, CholeskyAnalysis.Of(a, [2, 1, 0]), new CholeskyOptions { AllowSemidefinite = true });
+        Assert.Equal([0, 2], cholesky.FixedRows);
+    }
+
+    [Fact]
+    public void Factor_EveryRowBad_NamesTheFirstOfTheOrder()
+    {
+        (SparseMatrix a, Vector3D[] positions) = Matrices.Grids(100, 90, 0.1);
+        for (int i = 0; i < a.Size; i++)
+            a.Diagonal[i] = -1 - i;
+        CholeskyAnalysis analysis = CholeskyAnalysis.Of(a, positions);
+        int threads = Parallelism.MaxThreads;
+        try
+        {
+            Parallelism.MaxThreads = 4;
+            for (int round = 0; round < 60; round++)
+                Assert.Equal(analysis.Order[0], Assert.Throws<NotPositiveDefiniteException>(() => new SparseCholesky(a, analysis)).Row);
+        }
+        finally
+        {
+            Parallelism.MaxThreads = threads;
+        }
+    }
+
+    [Fact]
     public void Factor_Cancelled_Throws() => Assert.Throws<OperationCanceledException>(
         () => new SparseCholesky(Matrices.Path(20), cancellationToken: new CancellationToken(canceled: true)));
 

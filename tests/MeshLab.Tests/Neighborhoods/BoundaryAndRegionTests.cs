@@ -1,4 +1,5 @@
 using System.Text.Json;
+using MeshLab.Editing;
 using MeshLab.Geometry;
 using MeshLab.Neighborhoods;
 using MeshLab.Structure;
@@ -29,6 +30,33 @@ public class BoundaryAndRegionTests
         Assert.Empty(MeshBuilder.FromFaces(3).FindBoundaryLoops());
         Assert.Empty(Models.Create("sphere").FindBoundaryLoops());
         Assert.Empty(new Mesh().FindBoundaryLoops());
+    }
+
+    [Fact]
+    public void FindBoundaryLoops_LaterFaceWithLowerVertices_ComesFirst()
+    {
+        // The half-edges of the first face are lower, but the other triangle has the lowest vertex.
+        Mesh mesh = MeshBuilder.FromFaces(6, [3, 4, 5], [0, 1, 2]);
+        Assert.Equal([0, 3], mesh.FindBoundaryLoops().Select(loop => loop.Vertices[0].Index));
+    }
+
+    [Fact]
+    public void FindBoundaryLoops_AndRegions_AfterDeletions_AreThoseOfTheCompactMesh()
+    {
+        Mesh mesh = Models.Create("grid");
+        mesh.Faces[0].Delete();
+        mesh.Vertices.First(v => !v.IsBoundary).Delete();
+        Assert.False(mesh.IsCompact);
+        Mesh compact = mesh.Clone();
+        compact.Compact();
+        Assert.Equal(compact.FindBoundaryLoops().Select(l => (l.Count, l.Length)), mesh.FindBoundaryLoops().Select(l => (l.Count, l.Length)));
+        Assert.Equal(compact.BoundaryLoopCount, mesh.BoundaryLoopCount);
+        Assert.Equal(compact.BoundaryEdges.Length, mesh.BoundaryEdges.Length);
+        Assert.All(mesh.BoundaryEdges, e => Assert.True(!e.IsDeleted && e.IsBoundary));
+        FaceRegions regions = mesh.FindRegions(new bool[mesh.EdgeSlots]);
+        Assert.Equal(compact.FindRegions(new bool[compact.EdgeSlots]).Sizes, regions.Sizes);
+        Assert.Equal(mesh.FaceSlots - mesh.Faces.Count, regions.Labels.Count(label => label < 0));
+        Assert.Empty(mesh.Validate());
     }
 
     [SkippableTheory]

@@ -90,6 +90,17 @@ public class ElementGroupTests
     }
 
     [Fact]
+    public void FaceGroup_AtTheBoundary_HasNoFaceBeyondIt()
+    {
+        Mesh mesh = Models.Create("grid");
+        ElementGroup all = mesh.Group(mesh.Faces), one = mesh.Group([mesh.Faces[0]]);
+        Assert.Empty(all.OuterRimFaces);
+        Assert.Equal(mesh.Faces.Where(f => f.Edges.Any(e => e.IsBoundary)), all.RimFaces);
+        Assert.Equal(mesh.Faces[0].Neighbors.OrderBy(f => f.Index), one.OuterRimFaces);
+        Assert.Equal(mesh.Faces[0].Neighbors.OrderBy(f => f.Index), mesh.Faces[0].FacesSharingEdge);
+    }
+
+    [Fact]
     public void FaceGroup_Annulus_HasTwoLoops()
     {
         Mesh mesh = Grid(5);

@@ -1,3 +1,4 @@
+using MeshLab.Editing;
 using MeshLab.Neighborhoods;
 using MeshLab.Structure;
 using Xunit;
@@ -125,6 +126,41 @@ public class NeighborhoodTests
         Assert.Empty(isolated.LinkEdges);
         Assert.Empty(isolated.Ring(1));
         Assert.Equal([3], Indices(isolated.Component));
+    }
+
+    [Fact]
+    public void Queries_DeletedElement_ThrowArgumentException()
+    {
+        Mesh mesh = Models.Create("grid");
+        Vertex corner = mesh.Faces[0].HalfEdge.Target, v = mesh.Faces[0].Vertices.First(w => w.Faces.Count() == 1 || w == corner);
+        Face face = v.Faces.First();
+        Edge edge = v.Edges.First();
+        v.Delete();
+        Action[] queries =
+        [
+            () => _ = v.Component, () => v.Ring(0), () => v.Disk(0), () => v.AsGroup(), () => _ = edge.Component, () => edge.Ring(0),
+            () => edge.AsGroup(), () => _ = face.Component, () => face.Ring(0), () => face.AsGroup(), () => _ = default(Vertex).Component,
+            () => default(Vertex).Ring(0), () => default(Vertex).Disk(0), () => default(Vertex).AsGroup(), () => _ = default(Edge).Component,
+            () => default(Edge).AsGroup(), () => _ = default(Face).Component, () => default(Face).AsGroup(),
+        ];
+        Assert.All(queries, query => Assert.Throws<ArgumentException>(query));
+        Assert.Empty(mesh.Validate());
+    }
+
+    [Fact]
+    public void Component_OpenMesh_HasAllEdgesAndFacesOnce()
+    {
+        Mesh mesh = Models.Create("grid");
+        Assert.All([0, mesh.Faces.Count - 1], f => Assert.Equal(Enumerable.Range(0, mesh.Faces.Count), Indices(mesh.Faces[f].Component)));
+        Assert.Equal(Enumerable.Range(0, mesh.Edges.Count), mesh.Edges[3].Component.Select(e => e.Index));
+    }
+
+    [Fact]
+    public void Disk_GroupThatBeginsWithAnIsolatedVertex_GoesOnWithTheOthers()
+    {
+        Mesh mesh = MeshBuilder.FromFaces(4, [1, 2, 3]);
+        Assert.Equal([0, 1, 2, 3], Indices(mesh.Group([mesh.Vertices[0], mesh.Vertices[1]]).Disk(1)));
+        Assert.Equal([2, 3], Indices(mesh.Group([mesh.Vertices[0], mesh.Vertices[1]]).Ring(1)));
     }
 
     [Theory]

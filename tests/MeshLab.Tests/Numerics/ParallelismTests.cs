@@ -66,4 +66,65 @@ public class ParallelismTests
         Parallelism.MaxThreads = 0;
         Assert.Equal(Environment.ProcessorCount, Parallelism.MaxThreads);
     }
+
+    [Fact]
+    public void ForBlocks_NearTheLargestInteger_DoesNotOverflow()
+    {
+        var blocks = new System.Collections.Concurrent.ConcurrentBag<(int, int)>();
+        Parallelism.ForBlocks(int.MaxValue, int.MaxValue - 5, (from, to) => blocks.Add((from, to)));
+        Assert.Equal([(0, int.MaxValue - 5), (int.MaxValue - 5, int.MaxValue)], blocks.Order());
+    }
+
+    [Fact]
+    public void ForEach_HigherJobFailsLater_ThrowsTheLowestOnesException()
+    {
+        int threads = Parallelism.MaxThreads;
+        using var second = new ManualResetEventSlim();
+        using var failing = new ManualResetEventSlim();
+        try
+        {
+            Parallelism.MaxThreads = 2;
+            var error = Assert.Throws<InvalidOperationException>(() => Parallelism.ForEach(2, job =>
+            {
+                if (job == 0)
+                {
+                    second.Wait();
+                    failing.Set();
+                    throw new InvalidOperationException("0");
+                }
+                second.Set();
+                failing.Wait();
+                Thread.Sleep(100);
+                throw new InvalidOperationException("1");
+            }));
+            Assert.Equal("0", error.Message);
+        }
+        finally
+        {
+            Parallelism.MaxThreads = threads;
+        }
+    }
+
+    [Fact]
+    public void ForEach_AfterAFailure_BeginsNoHigherJob()
+    {
+        int threads = Parallelism.MaxThreads, begun = 0;
+        const int Jobs = 1000;
+        try
+        {
+            Parallelism.MaxThreads = 2;
+            Assert.Throws<InvalidOperationException>(() => Parallelism.ForEach(Jobs, job =>
+            {
+                Interlocked.Increment(ref begun);
+                if (job == 0)
+                    throw new InvalidOperationException();
+                Thread.Sleep(1);
+            }));
+            Assert.InRange(begun, 1, Jobs - 1);
+        }
+        finally
+        {
+            Parallelism.MaxThreads = threads;
+        }
+    }
 }

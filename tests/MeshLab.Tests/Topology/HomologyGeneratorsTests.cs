@@ -1,4 +1,5 @@
 using MeshLab.Cutting;
+using MeshLab.IO;
 using MeshLab.Structure;
 using MeshLab.Topology;
 using Xunit;
@@ -38,6 +39,42 @@ public class HomologyGeneratorsTests
         Mesh mesh = Models.Create(name);
         Check(mesh, HomologyGenerators.Compute(mesh));
         Check(mesh, HomologyGenerators.Compute(mesh, new() { Shorten = true }), fromOneTree: false);
+    }
+
+    [Theory]
+    [InlineData("creature.obj")]
+    [InlineData("genus-3.ply")]
+    [InlineData("bracket.off")]
+    [InlineData("flange.stl")]
+    [InlineData("perforated-sheet.off")]
+    public void Compute_Shortened_NoLoopIsLongerThanBefore(string name)
+    {
+        Mesh mesh = MeshFile.Read(RepositoryFiles.PathOf("models/" + name));
+        IReadOnlyList<MeshLoop> plain = HomologyGenerators.Compute(mesh), shortened = HomologyGenerators.Compute(mesh, new() { Shorten = true });
+        Check(mesh, shortened, fromOneTree: false);
+        Assert.All(shortened.Select(l => l.Length).Order().Zip(plain.Select(l => l.Length).Order()), pair => Assert.True(pair.First <= pair.Second, $"{pair}"));
+    }
+
+    [Fact]
+    public void LoopExchange_SumsOfABasis_KeepsABasisOfWholeNumbers()
+    {
+        // Three loops with sums over a basis of two: the first is twice a loop and can stand for none, the others may come in.
+        var basis = new[] { new MeshLoop([], 10), new MeshLoop([], 20) };
+        MeshLoop[] others = [new([], 3), new([], 1), new([], 2)];
+        Dictionary<double, long[]> sums = new() { [1] = [2, 0], [2] = [3, 1], [3] = [1, 0] };
+
+        LoopExchange.Shorten(basis, others, loop => [.. sums[loop.Length]], default);
+
+        Assert.Equal([3.0, 2.0], basis.Select(l => l.Length));
+    }
+
+    [Fact]
+    public void LoopExchange_DependentLoops_ReplaceOnlyOne()
+    {
+        // Both stand for b₀ + b₁: once one is in, the other is a multiple of it.
+        var basis = new[] { new MeshLoop([], 10), new MeshLoop([], 20) };
+        LoopExchange.Shorten(basis, [new([], 2), new([], 1)], _ => [1, -1], default);
+        Assert.Equal([10.0, 1.0], basis.Select(l => l.Length));
     }
 
     [Fact]
