@@ -2,6 +2,7 @@ using MeshLab.Cutting;
 using MeshLab.Demos.Hosting;
 using MeshLab.Geometry;
 using MeshLab.Structure;
+using MeshLab.Visualization;
 
 namespace MeshLab.Demos.Chapter06;
 
@@ -14,7 +15,7 @@ public static class Section_6_6
         Mesh split = mesh.IsTriangleMesh ? mesh.Clone() : Triangulation.Triangulate(mesh).Mesh;
         int before = split.Faces.Count;
         ObtuseSplitResult result = split.SplitObtuse(Math.PI * 2 / 3);
-        output.Line($"{result.Splits} edges split in {result.Passes} passes: {before} faces became {split.Faces.Count}; {result.Remaining.Count} still have a larger angle.");
-        output.Picture("split", split);
+        output.Line($"{result.Splits} edges split in {result.Passes} passes: {before} faces became {split.Faces.Count}; {result.Remaining.Count} still have a larger angle. Coloured: the triangles that were split.");
+        output.Picture("split", split, Coloring.FaceLabels([.. result.SourceFace.Select(f => f >= 0 && result.Pieces[f].Count > 1 ? 1 : 0)]));
     }
 }

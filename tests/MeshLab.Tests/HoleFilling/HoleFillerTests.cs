@@ -172,6 +172,89 @@ public class HoleFillerTests
     }
 
     [Fact]
+    public void FillHole_EveryChordTaken_NeedsANewVertexOrIsRefused()
+    {
+        // The torus of seven vertices, each joined to all others, without the seventh: every chord of its loop is an edge.
+        int[][] faces = [.. Enumerable.Range(0, 7).SelectMany(i => (int[][])[[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).Where(f => !f.Contains(6))];
+        var random = new Random(1);
+        Vector3D[] positions = [.. Enumerable.Range(0, 6).Select(_ => new Vector3D(random.NextDouble(), random.NextDouble(), random.NextDouble()))];
+        foreach (HoleFillingMethod method in Enum.GetValues<HoleFillingMethod>())
+        {
+            Mesh mesh = MeshBuilder.FromPolygons(positions, faces);
+            ulong before = mesh.StateHash();
+            bool canAdd = method is not (HoleFillingMethod.Fan or HoleFillingMethod.Ear);
+            HoleReport none = mesh.FillHoles(new HoleFillingOptions { Method = method, MaxNewVertices = 0 }).Loops.Single();
+            Assert.Equal((6, false, canAdd ? HoleRefusal.VertexBudget : HoleRefusal.NoTriangulation), (none.Edges, none.Filled, none.Reason));
+            Assert.Equal(before, mesh.StateHash());
+            HoleReport report = mesh.FillHoles(new HoleFillingOptions { Method = method }).Loops.Single();
+            Assert.Equal((canAdd, canAdd ? 6 : 0, canAdd ? 1 : 0), (report.Filled, report.FacesAdded, report.VerticesAdded));
+            if (canAdd)
+                Assert.Equal((HoleFillingMethod.Centroid, 0), (report.Method, mesh.EulerCharacteristic));
+            Assert.Empty(mesh.Validate());
+        }
+    }
+
+    [Theory]
+    [InlineData(HoleFillingMethod.Fan)]
+    [InlineData(HoleFillingMethod.Ear)]
+    [InlineData(HoleFillingMethod.MinimumWeight)]
+    public void FillHole_OneChordTaken_UsesTheOther(HoleFillingMethod method)
+    {
+        Mesh mesh = MeshBuilder.FromPolygons([new(0, 0, 0), new(1, 0, 0), new(1, 1, 0), new(0, 1, 0)], [0, 1, 2], [0, 2, 3]);
+        Assert.Equal((true, 2), (mesh.FillHoles(new HoleFillingOptions { Method = method }).Loops.Single().Filled, mesh.Faces.Count - 2));
+        Assert.False(mesh.FindEdge(mesh.Vertices[1], mesh.Vertices[3]).IsNone);
+        Assert.True(mesh.IsClosed);
+        Assert.Empty(mesh.Validate());
+    }
+
+    [Fact]
+    public void FillHoles_SeveralLoops_GoesByTheLowestVertexAndSharesTheBudget()
+    {
+        Mesh mesh = MeshBuilder.FromPolygons(
+            [new(0, 0, 0), new(3, 0, 0), new(0, 3, 0), new(10, 0, 0), new(13, 0, 0), new(10, 3, 0)], [5, 3, 4], [2, 0, 1]);
+        IReadOnlyList<HoleReport> loops = mesh.FillHoles(new HoleFillingOptions { Method = HoleFillingMethod.Centroid, MaxNewVertices = 1 }).Loops;
+        Assert.Equal([(0, true, HoleRefusal.None), (3, false, HoleRefusal.VertexBudget)], loops.Select(loop => (loop.FirstVertex, loop.Filled, loop.Reason)));
+        // The new vertex is the mean of its loop, wherever that lies.
+        mesh.FillHoles(new HoleFillingOptions { Method = HoleFillingMethod.Centroid });
+        Assert.Equal([new(1, 1, 0), new(11, 1, 0)], mesh.Positions[6..].ToArray());
+        Assert.Empty(mesh.Validate());
+        // The vertex of the fan counts too.
+        Mesh grid = Models.Triangulated(Models.QuadGrid(8, 8));
+        Assert.Equal(3, grid.FillHoles(new HoleFillingOptions { Method = HoleFillingMethod.Centroid, Refine = true, MaxNewVertices = 3 }).Loops.Single().VerticesAdded);
+        Assert.Empty(grid.Validate());
+    }
+
+    [Fact]
+    public void FillHoles_Report_SaysWhatWasDone()
+    {
+        Mesh sphere = Models.Sphere(24, 40);
+        sphere.Detach(sphere.Faces.Where(f => f.Barycenter.X > 0.8));
+        HoleReport Of(HoleFillingOptions options) => sphere.Clone().FillHoles(options).Loops.Single();
+        HoleReport refined = Of(new() { Refine = true }), faired = Of(new() { Refine = true, Fair = true }), byDefault = Of(new());
+        Assert.Equal((null, 1), (refined.Continuity, faired.Continuity));
+        Assert.True(byDefault.Continuity is 1 or 2 && byDefault.VerticesAdded > 0);
+        // Without vertices of its own there is nothing in a patch to move.
+        Assert.Null(Of(new() { Fair = true }).Continuity);
+        Assert.Equal(HoleFillingMethod.Ear, Of(new() { MaxEdgesForMinimumWeight = refined.Edges - 1 }).Method);
+        Assert.Equal(HoleFillingMethod.MinimumWeight, Of(new() { MaxEdgesForMinimumWeight = refined.Edges }).Method);
+    }
+
+    [Fact]
+    public void FillHole_LeastArea_TakesTheShorterSurface()
+    {
+        // A bent square: 1.366 along one diagonal, 1.414 along the other.
+        Mesh box = Models.Create("cube");
+        box.Detach(box.Faces.Where(f => f.Barycenter.Z > 0.99));
+        Vertex At(double x, double y) => box.Vertices.Single(v => v.Position.X == x && v.Position.Y == y && v.Position.Z > 0.5);
+        At(1, 1).Position = new(1, 1, 2);
+        double before = box.Area;
+        box.FillHoles(new HoleFillingOptions { Method = HoleFillingMethod.MinimumWeight, Weight = HoleWeight.Area });
+        Assert.Equal(0.5 + (Math.Sqrt(3) / 2), box.Area - before, 1e-12);
+        Assert.False(box.FindEdge(At(1, 0), At(0, 1)).IsNone);
+        Assert.Empty(box.Validate());
+    }
+
+    [Fact]
     public void FillHole_Undo_RestoresEveryBit()
     {
         Mesh mesh = Models.Create("holes");
