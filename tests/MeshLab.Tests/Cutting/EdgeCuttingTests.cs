@@ -140,29 +140,16 @@ public class EdgeCuttingTests
     public void CutAlong_Traits_GoWithTheCopies()
     {
         Mesh mesh = Models.QuadGrid(4, 4);
-        VertexTrait<int> vertex = mesh.AddVertexTrait("vertex", -1);
-        EdgeTrait<int> edge = mesh.AddEdgeTrait("edge", -1);
-        FaceTrait<int> face = mesh.AddFaceTrait("face", -1);
-        HalfEdgeTrait<int> corner = mesh.AddHalfEdgeTrait("corner", -1);
-        foreach (Vertex v in mesh.Vertices)
-            vertex[v] = v.Index;
-        foreach (Edge e in mesh.Edges)
-            edge[e] = e.Index;
-        foreach (Face f in mesh.Faces)
-            face[f] = f.Index;
-        foreach (HalfEdge h in mesh.HalfEdges.Where(h => !h.IsBoundary))
-            corner[h] = h.Face.Index * 100 + h.Target.Index;
+        IndexTraits.AddTo(mesh);
         EdgeCutResult cut = EdgeCutting.CutAlong(mesh, mesh.Edges.Where(e => e.Index % 2 == 0));
-        Assert.True(cut.Mesh.TryGetVertexTrait("vertex", out VertexTrait<int>? newVertex));
-        Assert.True(cut.Mesh.TryGetEdgeTrait("edge", out EdgeTrait<int>? newEdge));
-        Assert.True(cut.Mesh.TryGetFaceTrait("face", out FaceTrait<int>? newFace));
-        Assert.True(cut.Mesh.TryGetHalfEdgeTrait("corner", out HalfEdgeTrait<int>? newCorner));
-        Assert.All(cut.Mesh.Vertices, v => Assert.Equal(cut.SourceVertex[v.Index], newVertex![v]));
-        Assert.All(cut.Mesh.Faces, f => Assert.Equal(cut.SourceFace[f.Index], newFace![f]));
+        IndexTraits old = IndexTraits.Of(cut.Mesh);
+        Assert.All(cut.Mesh.Vertices, v => Assert.Equal(cut.SourceVertex[v.Index], old.Vertex[v]));
+        Assert.All(cut.Mesh.Faces, f => Assert.Equal(cut.SourceFace[f.Index], old.Face[f]));
         Assert.All(cut.Mesh.Edges, e => Assert.Equal(
-            mesh.FindEdge(mesh.Vertices[cut.SourceVertex[e.Vertex0.Index]], mesh.Vertices[cut.SourceVertex[e.Vertex1.Index]]).Index, newEdge![e]));
+            mesh.FindEdge(mesh.Vertices[cut.SourceVertex[e.Vertex0.Index]], mesh.Vertices[cut.SourceVertex[e.Vertex1.Index]]).Index, old.Edge[e]));
         Assert.All(cut.Mesh.HalfEdges.Where(h => !h.IsBoundary), h => Assert.Equal(
-            cut.SourceFace[h.Face.Index] * 100 + cut.SourceVertex[h.Target.Index], newCorner![h]));
+            (cut.SourceFace[h.Face.Index], cut.SourceVertex[h.Target.Index]),
+            (mesh.HalfEdges[old.HalfEdge[h]].Face.Index, mesh.HalfEdges[old.HalfEdge[h]].Target.Index)));
     }
 
     [Fact]

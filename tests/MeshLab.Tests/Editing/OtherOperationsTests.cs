@@ -117,18 +117,7 @@ public class OtherOperationsTests
         Mesh mesh = Models.Create(name);
         if (mesh.Faces.Count > 3)
             mesh.Faces[2].TryDelete(out _);
-        VertexTrait<int> vertex = mesh.AddVertexTrait("old", -1);
-        HalfEdgeTrait<int> halfEdge = mesh.AddHalfEdgeTrait("old", -1);
-        EdgeTrait<int> edge = mesh.AddEdgeTrait("old", -1);
-        FaceTrait<int> face = mesh.AddFaceTrait("old", -1);
-        foreach (Vertex v in mesh.Vertices)
-            vertex[v] = v.Index;
-        foreach (HalfEdge h in mesh.HalfEdges)
-            halfEdge[h] = h.Index;
-        foreach (Edge e in mesh.Edges)
-            edge[e] = e.Index;
-        foreach (Face f in mesh.Faces)
-            face[f] = f.Index;
+        (VertexTrait<int> vertex, HalfEdgeTrait<int> halfEdge, EdgeTrait<int> edge, FaceTrait<int> face) = IndexTraits.AddTo(mesh);
         Mesh old = mesh.Clone();
 
         CompactionMaps maps = mesh.ReorderBySpace();

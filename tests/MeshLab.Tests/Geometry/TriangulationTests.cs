@@ -66,30 +66,18 @@ public class TriangulationTests
     public void Triangulate_Traits_AreCarriedOver()
     {
         Mesh mesh = Models.QuadGrid(3, 2);
-        VertexTrait<int> vertex = mesh.AddVertexTrait("vertex", -1);
-        FaceTrait<int> face = mesh.AddFaceTrait("face", -1);
-        EdgeTrait<int> edge = mesh.AddEdgeTrait("edge", -1);
-        HalfEdgeTrait<int> corner = mesh.AddHalfEdgeTrait("corner", -1);
-        foreach (Vertex v in mesh.Vertices)
-            vertex[v] = v.Index;
-        foreach (Face f in mesh.Faces)
-            face[f] = f.Index;
-        foreach (Edge e in mesh.Edges)
-            edge[e] = e.Index;
-        foreach (HalfEdge h in mesh.HalfEdges.Where(h => !h.IsBoundary))
-            corner[h] = h.Face.Index * 100 + h.Target.Index;
+        IndexTraits.AddTo(mesh);
         TriangulationResult result = Triangulation.Triangulate(mesh);
-        Assert.True(result.Mesh.TryGetVertexTrait("vertex", out VertexTrait<int>? newVertex));
-        Assert.True(result.Mesh.TryGetFaceTrait("face", out FaceTrait<int>? newFace));
-        Assert.True(result.Mesh.TryGetEdgeTrait("edge", out EdgeTrait<int>? newEdge));
-        Assert.True(result.Mesh.TryGetHalfEdgeTrait("corner", out HalfEdgeTrait<int>? newCorner));
-        Assert.All(result.Mesh.Vertices, v => Assert.Equal(v.Index, newVertex![v]));
-        Assert.All(result.Mesh.Faces, f => Assert.Equal(result.FaceOf[f.Index], newFace![f]));
-        Assert.All(result.Mesh.HalfEdges.Where(h => !h.IsBoundary), h => Assert.Equal(result.FaceOf[h.Face.Index] * 100 + h.Target.Index, newCorner![h]));
+        IndexTraits traits = IndexTraits.Of(result.Mesh);
+        Assert.All(result.Mesh.Vertices, v => Assert.Equal(v.Index, traits.Vertex[v]));
+        Assert.All(result.Mesh.Faces, f => Assert.Equal(result.FaceOf[f.Index], traits.Face[f]));
+        Assert.All(result.Mesh.HalfEdges.Where(h => !h.IsBoundary), h => Assert.Equal(
+            (result.FaceOf[h.Face.Index], h.Target.Index),
+            (mesh.HalfEdges[traits.HalfEdge[h]].Face.Index, mesh.HalfEdges[traits.HalfEdge[h]].Target.Index)));
         foreach (Edge e in result.Mesh.Edges)
         {
             Edge old = mesh.FindEdge(mesh.Vertices[e.Vertex0.Index], mesh.Vertices[e.Vertex1.Index]);
-            Assert.Equal(old.IsNone ? -1 : old.Index, newEdge![e]);
+            Assert.Equal(old.IsNone ? -1 : old.Index, traits.Edge[e]);
         }
     }
 }

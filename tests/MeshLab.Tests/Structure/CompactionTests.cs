@@ -11,18 +11,7 @@ public class CompactionTests
     private static Mesh Labelled(string name)
     {
         Mesh mesh = Models.Create(name);
-        VertexTrait<int> vertex = mesh.AddVertexTrait("old", -1);
-        HalfEdgeTrait<int> halfEdge = mesh.AddHalfEdgeTrait("old", -1);
-        EdgeTrait<int> edge = mesh.AddEdgeTrait("old", -1);
-        FaceTrait<int> face = mesh.AddFaceTrait("old", -1);
-        foreach (Vertex v in mesh.Vertices)
-            vertex[v] = v.Index;
-        foreach (HalfEdge h in mesh.HalfEdges)
-            halfEdge[h] = h.Index;
-        foreach (Edge e in mesh.Edges)
-            edge[e] = e.Index;
-        foreach (Face f in mesh.Faces)
-            face[f] = f.Index;
+        IndexTraits.AddTo(mesh);
         FaceLabels materials = mesh.GetOrAddFaceLabels("material");
         foreach (Face f in mesh.Faces)
             materials.Labels[f] = materials.Number(f.Index % 2 == 0 ? "even" : "odd");
@@ -49,10 +38,7 @@ public class CompactionTests
         Assert.Equal(Enumerable.Range(0, mesh.VertexSlots), maps.Vertices.Where(v => v >= 0));
         Assert.Equal(Enumerable.Range(0, mesh.EdgeSlots), maps.Edges.Where(e => e >= 0));
         Assert.Equal(Enumerable.Range(0, mesh.FaceSlots), maps.Faces.Where(f => f >= 0));
-        Assert.True(mesh.TryGetVertexTrait("old", out VertexTrait<int>? vertex));
-        Assert.True(mesh.TryGetHalfEdgeTrait("old", out HalfEdgeTrait<int>? halfEdge));
-        Assert.True(mesh.TryGetEdgeTrait("old", out EdgeTrait<int>? edge));
-        Assert.True(mesh.TryGetFaceTrait("old", out FaceTrait<int>? face));
+        (VertexTrait<int> vertex, HalfEdgeTrait<int> halfEdge, EdgeTrait<int> edge, FaceTrait<int> face) = IndexTraits.Of(mesh);
         foreach (Vertex v in old.Vertices)
             Assert.Equal((v.Index, v.Position), (vertex[maps.Vertices[v.Index]], mesh.Positions[maps.Vertices[v.Index]]));
         foreach (HalfEdge h in old.HalfEdges)
