@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Globalization;
 using MeshLab.Cli.Hosting;
 using MeshLab.Cli.Values;
+using MeshLab.Numerics;
 using MeshLab.Structure;
 using MeshLab.Visualization;
 
@@ -69,7 +70,15 @@ internal sealed class RenderVerb : Verb
     {
         if (context.Get(labels) is { } file)
             return Coloring.FaceLabels(ReadLabels(file, mesh), "label");
-        return value is null ? Coloring.Default : ValueColoring.Of(mesh, value, ValueArguments.Parse(context));
+        return value is null ? ColoringOfFile(mesh) : ValueColoring.Of(mesh, value, ValueArguments.Parse(context));
+    }
+
+    /// <summary>The colours that the file has itself.</summary>
+    private static Coloring ColoringOfFile(Mesh mesh)
+    {
+        if (mesh.TryGetVertexTrait(TraitNames.Color, out VertexTrait<Color>? ofVertices))
+            return Coloring.VertexColors(ofVertices.Values.ToArray());
+        return mesh.TryGetFaceTrait(TraitNames.Color, out FaceTrait<Color>? ofFaces) ? Coloring.FaceColors(ofFaces.Values.ToArray()) : Coloring.Default;
     }
 
     private static int[] ReadLabels(string file, Mesh mesh)

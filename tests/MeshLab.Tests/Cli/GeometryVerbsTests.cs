@@ -1,6 +1,7 @@
 using System.Text.Json;
 using MeshLab.Cli.Values;
 using MeshLab.IO;
+using MeshLab.Numerics;
 using MeshLab.Structure;
 using MeshLab.Visualization;
 using Xunit;
@@ -109,6 +110,21 @@ public sealed class GeometryVerbsTests : IDisposable
             Assert.True(coloring.Values is not null || coloring.Labels is not null || coloring.Entries.Count is 3 or 6, value.Mark.Name);
             Image image = MeshRenderer.Render(mesh, new RenderOptions { Coloring = coloring, Width = 120, Height = 90, Supersampling = 1 });
             Assert.Equal(120, image.Width);
+        }
+    }
+
+    [Fact]
+    public void Render_FileWithColors_PaintsThem()
+    {
+        Mesh plain = Models.Create("torus"), colored = Models.Create("torus");
+        colored.AddVertexTrait(TraitNames.Color, new Color(1, 0, 0));
+        Assert.NotEqual(Picture(plain, "plain.png"), Picture(colored, "colored.png"));
+
+        byte[] Picture(Mesh mesh, string name)
+        {
+            string picture = Path.Combine(folder, name);
+            Run(0, "render", Save(mesh), picture, "--size", "60x40");
+            return File.ReadAllBytes(picture);
         }
     }
 
