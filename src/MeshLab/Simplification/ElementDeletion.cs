@@ -176,7 +176,7 @@ public static class ElementDeletion
 
         private bool IsAllowed(HalfEdge h, Vector3D position)
         {
-            if (options.LockBoundary && (h.Source.IsBoundary || (h.Target.IsBoundary && position != h.Target.Position)))
+            if (options.LockBoundary && h.Source.IsBoundary)
                 return false;
             return h.CanCollapse(out _) && (options.AllowFlips || !h.CollapseFlips(position, LeastTurnCosine));
         }
@@ -199,7 +199,7 @@ public static class ElementDeletion
             return true;
         }
 
-        /// <summary>Takes what is about to vanish out of the queue.</summary>
+        /// <summary>Takes what is about to vanish out of the queue; a vertex that goes has been taken out already.</summary>
         private void Forget(HalfEdge h)
         {
             switch (options.Measure)
@@ -211,9 +211,6 @@ public static class ElementDeletion
                 case DeletionMeasure.SmallestTriangle:
                     foreach (Face f in h.Edge.Faces)
                         queue.Remove(f.Index);
-                    break;
-                default:
-                    queue.Remove(h.Source.Index);
                     break;
             }
         }

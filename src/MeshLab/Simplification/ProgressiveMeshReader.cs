@@ -334,6 +334,18 @@ internal static class SplitCheck
             while (g != start);
             Require(!boundary || mesh.FaceOf[start] < 0, $"v{v} does not begin at its border");
         }
+        CheckFaces(mesh, record.Left);
+        CheckFaces(mesh, record.Right);
+    }
+
+    /// <summary>The face that came back and the one beyond the edge that did begin with half-edges of their own.</summary>
+    private static void CheckFaces(Mesh mesh, SplitSide side)
+    {
+        if (side.Face < 0)
+            return;
+        Require(mesh.FaceOf[side.FaceHalfEdge] == side.Face, $"h{side.FaceHalfEdge} is not of f{side.Face}");
+        int outer = mesh.FaceOf[side.Gone ^ 1];
+        Require(outer < 0 || mesh.FaceOf[mesh.HalfEdgeOf[outer]] == outer, $"h{side.OuterHalfEdge} is not of f{outer}");
     }
 
     private static void CheckSide(Mesh mesh, SplitRecord record, SplitSide side, SplitSide other)
@@ -351,14 +363,12 @@ internal static class SplitCheck
         Require(mesh.Target[side.KeptIsNext ? side.Kept : side.Kept ^ 1] == side.Apex, $"h{side.Kept} does not join v{side.Apex}");
         Require(mesh.Target[side.KeptIsNext ? side.Kept ^ 1 : side.Kept] == record.Kept, $"h{side.Kept} does not join v{record.Kept}");
         Require(side.FaceHalfEdge >= 0 && side.ApexOutgoing >= 0 && (side.OuterHalfEdge >= 0 || mesh.FaceOf[side.Kept] < 0), "a side without its first half-edges");
-        Require(
-            side.FaceHalfEdge == side.Kept || side.FaceHalfEdge == side.Gone || side.FaceHalfEdge >> 1 == record.HalfEdge >> 1,
-            $"h{side.FaceHalfEdge} is not of f{side.Face}");
     }
 
     /// <summary>A border's half-edge before or after the contracted one may lie on the edge that comes back with the triangle of the other side.</summary>
     private static void CheckBorder(Mesh mesh, SplitSide side, SplitSide other)
     {
+        Require(side is { FaceHalfEdge: < 0, OuterHalfEdge: < 0, Apex: < 0, ApexOutgoing: < 0 }, "a border with the numbers of a triangle");
         bool goneReturns = other.Face >= 0 && side.Gone >> 1 == other.Gone >> 1, keptReturns = other.Face >= 0 && side.Kept >> 1 == other.Gone >> 1;
         Require(goneReturns || (!mesh.IsDeletedEdge(side.Gone >> 1) && mesh.FaceOf[side.Gone] < 0), $"h{side.Gone} is not on a border");
         Require(keptReturns || (!mesh.IsDeletedEdge(side.Kept >> 1) && mesh.FaceOf[side.Kept] < 0), $"h{side.Kept} is not on a border");

@@ -70,6 +70,20 @@ public class ProgressiveMeshTests
     }
 
     [Fact]
+    public void GoToBase_EndpointPlacement_KeepsTheBitsOfPositions()
+    {
+        Mesh mesh = Shapes.Moved(Shapes.Torus(20, 12), p => p * 0.3 + new Vector3D(7.1, -3.3, 0.7));
+        var before = mesh.Positions.ToArray().ToHashSet();
+        ProgressiveMesh progressive = ProgressiveMesh.Create(mesh, new() { Placement = VertexPlacement.Endpoint });
+
+        foreach (int level in (int[])[0, progressive.CollapseCount / 2, progressive.CollapseCount])
+        {
+            progressive.GoToCollapse(level);
+            Assert.All(progressive.Mesh.Vertices, v => Assert.Contains(v.Position, before));
+        }
+    }
+
+    [Fact]
     public void GoToFaces_FastMode_IsWhatSimplifyGives()
     {
         Mesh mesh = Shapes.Sheet(14, (x, y) => 0.1 * Math.Sin(8 * x) * y);
@@ -184,7 +198,9 @@ public class ProgressiveMeshTests
             try
             {
                 ProgressiveMesh loaded = ProgressiveMeshFile.Load(new MemoryStream(damaged));
+                Assert.Empty(loaded.Mesh.Validate());
                 loaded.GoToBase();
+                Assert.Empty(loaded.Mesh.Validate());
                 loaded.GoToFinest();
             }
             catch (MeshFormatException)

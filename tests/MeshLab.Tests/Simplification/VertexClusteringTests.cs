@@ -1,4 +1,5 @@
 using System.Text.Json;
+using MeshLab.Editing;
 using MeshLab.Numerics;
 using MeshLab.Simplification;
 using MeshLab.Structure;
@@ -44,10 +45,13 @@ public class VertexClusteringTests
         Assert.Empty(result.Mesh.Validate());
     }
 
-    [Fact]
-    public void ClusterVertices_QuadricOptimum_FindsTheCornersOfACube()
+    /// <summary>The larger cube has more faces than one thread takes.</summary>
+    [Theory]
+    [InlineData(9)]
+    [InlineData(43)]
+    public void ClusterVertices_QuadricOptimum_FindsTheCornersOfACube(int n)
     {
-        ClusteringResult result = Shapes.Cube(9).ClusterVertices(new() { Cells = 2, Representative = CellRepresentative.QuadricOptimum });
+        ClusteringResult result = Shapes.Cube(n).ClusterVertices(new() { Cells = 2, Representative = CellRepresentative.QuadricOptimum });
 
         foreach (Vector3D corner in Enumerable.Range(0, 8).Select(new BoundingBox(default, new(1, 1, 1)).Corner))
             Assert.Contains(result.Mesh.Vertices, v => Vector3D.Distance(v.Position, corner) < 1e-12);
@@ -155,5 +159,149 @@ public class VertexClusteringTests
 
         Assert.Equal(1, result.Cells);
         Assert.Equal(0, result.Mesh.Faces.Count);
+    }
+
+    /// <summary>Three sides of a pyramid, cut off below its tip: their planes meet in the tip, whether that lies in the cell or not.</summary>
+    [Theory]
+    [InlineData(13)]
+    [InlineData(16)]
+    public void ClusterVertices_QuadricOptimum_IsTheMeanIfItLiesBesideTheCell(double tip)
+    {
+        var offset = new Vector3D(10, 20, 30);
+        double cut = 8 * (1 - 12 / tip);
+        Mesh mesh = MeshBuilder.FromTriangles(
+            [offset, offset + new Vector3D(8, 0, 0), offset + new Vector3D(0, 8, 0),
+                offset + new Vector3D(0, 0, 12), offset + new Vector3D(cut, 0, 12), offset + new Vector3D(0, cut, 12)],
+            [0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5]);
+
+        // The cell of the three upper vertices reaches from 10 to 15.
+        ClusteringResult result = mesh.ClusterVertices(new() { CellSize = 5, Representative = CellRepresentative.QuadricOptimum });
+
+        Vector3D expected = tip < 15 ? new(0, 0, tip) : new(cut / 3, cut / 3, 12);
+        Assert.Equal(4, result.Cells);
+        Assert.Equal(0, Vector3D.Distance(offset + expected, result.Mesh.Vertices[3].Position), 1e-9);
+        Assert.Empty(result.Mesh.Validate());
+    }
+
+    /// <summary>Walls at x = ½ and y = ½ and three level triangles, that have one, two and three corners in the cell: each counts once there, by its area.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void ClusterVertices_QuadricOptimum_WeighsEachFaceAtTheCellOnceByArea(int firstCorner)
+    {
+        Vector3D[][] triangles =
+        [
+            [new(0.5, 0, 0), new(0.5, 0.5, 0), new(0.5, 0, 0.5)],
+            [new(0, 0.5, 0), new(0.5, 0.5, 0), new(0, 0.5, 0.5)],
+            [new(0.125, 0.125, 0.25), new(3.125, 0.125, 0.25), new(0.125, 2.125, 0.25)],
+            [new(0.125, 0.125, 0.75), new(0.875, 0.125, 0.75), new(0.125, 5.125, 0.75)],
+            [new(0.125, 0.125, 0.5), new(0.625, 0.125, 0.5), new(0.125, 0.625, 0.5)],
+        ];
+        double[] areas = [3, 0.75 * 5 / 2, 0.125], heights = [0.25, 0.75, 0.5];
+        Mesh mesh = MeshBuilder.FromTriangles([.. triangles.SelectMany(t => t)], [.. Enumerable.Range(0, 15).Select(i => i / 3 * 3 + (i + firstCorner) % 3)]);
+
+        ClusteringResult result = mesh.ClusterVertices(new() { CellSize = 1, Representative = CellRepresentative.QuadricOptimum });
+
+        double height = areas.Zip(heights, (area, z) => area * z).Sum() / areas.Sum();
+        Assert.Equal(0, Vector3D.Distance(new(0.5, 0.5, height), result.Mesh.Vertices[0].Position), 1e-12);
+        // One plane alone has no unique optimum.
+        Assert.Equal(new(3.125, 0.125, 0.25), result.Mesh.Vertices[1].Position);
+    }
+
+    [Fact]
+    public void ClusterVertices_ThreeSheetsOnOneEdge_LeavesTheThirdOutUnlessItMustThrow()
+    {
+        // Apart they are three triangles; in cells of 1 they share an edge.
+        Mesh mesh = MeshBuilder.FromTriangles(
+            [new(0, 0, 0), new(0, 3, 0), new(3, 0, 0), new(0.25, 0, 0), new(0.25, 3, 0), new(6, 0, 0), new(0, 0, 0.25), new(0, 3, 0.25), new(0, 0, 9)],
+            [0, 1, 2, 4, 3, 5, 6, 7, 8]);
+
+        ClusteringResult result = mesh.ClusterVertices(new() { CellSize = 1 });
+
+        Assert.Equal((2, 1), (result.Mesh.Faces.Count, result.Report.Repairs.Count));
+        Assert.Empty(result.Mesh.Validate());
+        Assert.Throws<TopologyException>(() => mesh.ClusterVertices(new() { CellSize = 1, NonManifold = NonManifoldPolicy.Throw }));
+    }
+
+    [Fact]
+    public void CollapseCells_FourVerticesPerCell_BecomeTheirMean()
+    {
+        Mesh mesh = Shapes.Moved(Shapes.Sheet(7), p => p * 7);
+
+        SimplificationResult result = mesh.CollapseCells(new() { CellSize = 2 });
+
+        Assert.Equal((StopReason.CellsDone, 48), (result.StopReason, result.Collapses));
+        double[] means = [0.5, 2.5, 4.5, 6.5];
+        Vector3D[] expected = [.. from y in means from x in means select new Vector3D(x, y, 0)];
+        Assert.All(expected.Zip(mesh.Vertices.Select(v => v.Position).OrderBy(p => Math.Round(p.Y)).ThenBy(p => p.X)), pair => Assert.Equal(0, Vector3D.Distance(pair.First, pair.Second), 1e-12));
+        Assert.Empty(mesh.Validate());
+    }
+
+    /// <summary>What a contraction forbids may be possible after a later one: at the end no edge within a cell can be contracted.</summary>
+    [Theory]
+    [InlineData(3)]
+    [InlineData(5)]
+    [InlineData(8)]
+    public void CollapseCells_Torus_LeavesNoEdgeInACellThatCouldGo(int cells)
+    {
+        Mesh mesh = Shapes.Torus(60, 40);
+        Vector3D origin = mesh.BoundingBox.Min;
+        double size = mesh.BoundingBox.Size.Z / cells;
+        using var trace = new StringWriter();
+
+        SimplificationResult result = mesh.CollapseCells(new() { Cells = cells, Trace = trace });
+
+        int left = 0;
+        foreach (Edge e in mesh.Edges)
+        {
+            if (CellOf(e.Vertex0) != CellOf(e.Vertex1))
+                continue;
+            left++;
+            Assert.False(e.HalfEdge0.CanCollapse(out _), $"{e}");
+        }
+        Assert.Equal(left, result.Refusals.Total);
+        // The longest, not the last.
+        string[] lines = trace.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.Equal(lines.Max(line => JsonDocument.Parse(line).RootElement.GetProperty("cost").GetDouble()), result.MaxError);
+        Assert.Empty(mesh.Validate());
+
+        (double, double, double) CellOf(Vertex v)
+        {
+            Vector3D p = (v.Position - origin) / size;
+            return (Math.Floor(p.X), Math.Floor(p.Y), Math.Min(Math.Floor(p.Z), cells - 1));
+        }
+    }
+
+    [Fact]
+    public void CollapseCells_Trace_NamesTheVertexThatStays()
+    {
+        Mesh mesh = Shapes.Moved(Shapes.Sheet(3), p => p * 3);
+        using var trace = new StringWriter();
+        using OperationHistory history = mesh.StartRecording();
+        ulong before = mesh.StateHash();
+
+        mesh.CollapseCells(new() { CellSize = 2, Trace = trace });
+
+        JsonElement[] lines = [.. trace.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries).Select(line => JsonDocument.Parse(line).RootElement)];
+        int[] kept = [.. lines.Select(line => line.GetProperty("kept").GetInt32())], removed = [.. lines.Select(line => line.GetProperty("removed").GetInt32())];
+        Assert.All(removed, v => Assert.True(mesh.IsDeletedVertex(v)));
+        Assert.Equal(mesh.Vertices.Select(v => v.Index), kept.Except(removed).Order());
+        // While it is recorded nothing is renumbered, and all can be undone.
+        Assert.False(mesh.IsCompact);
+        history.UndoAll();
+        Assert.Equal(before, mesh.StateHash());
+    }
+
+    [Fact]
+    public void CollapseCells_TwoSheetsInOneCell_StayTwo()
+    {
+        Mesh mesh = Shapes.Sheet(4);
+        mesh.Append(Shapes.Moved(Shapes.Sheet(4), p => p + new Vector3D(0, 0, 0.01)));
+
+        SimplificationResult result = mesh.CollapseCells(new() { CellSize = 10 });
+
+        Assert.Equal((StopReason.NothingCollapsible, 2, 2), (result.StopReason, mesh.Faces.Count, Shapes.Components(mesh)));
+        Assert.Empty(mesh.Validate());
     }
 }
