@@ -38,7 +38,7 @@ internal sealed class FaceCount(Guard guard, RepairWalk walk, CancellationToken 
     private void SplitRound(int target, in GuardLevel level)
     {
         const double StillLong = 0.8 * 0.8;
-        int[] order = Sorted(e => -mesh.LengthSquared(e), out double[] costs);
+        int[] order = Sorted(e => -mesh.LengthSquared(e), double.PositiveInfinity, out double[] costs);
         for (int i = 0; i < order.Length && mesh.LiveFaces < target - 1; i++)
         {
             cancellationToken.ThrowIfCancellationRequested();
@@ -47,15 +47,16 @@ internal sealed class FaceCount(Guard guard, RepairWalk walk, CancellationToken 
         }
     }
 
-    public int[] Sorted(Func<int, double> cost) => Sorted(cost, out _);
+    /// <summary>The live edges whose cost is below a limit, cheapest first; ties by index.</summary>
+    public int[] Sorted(Func<int, double> cost, double limit = double.PositiveInfinity) => Sorted(cost, limit, out _);
 
-    private int[] Sorted(Func<int, double> cost, out double[] costs)
+    private int[] Sorted(Func<int, double> cost, double limit, out double[] costs)
     {
-        var keys = new List<(double Cost, int Edge)>(mesh.EdgeSlots);
+        var keys = new List<(double Cost, int Edge)>();
         for (int e = 0; e < mesh.EdgeSlots; e++)
         {
-            if (mesh.IsLiveEdge(e))
-                keys.Add((cost(e), e));
+            if (mesh.IsLiveEdge(e) && cost(e) is var key && !(key >= limit))
+                keys.Add((key, e));
         }
         keys.Sort();
         costs = [.. keys.Select(k => k.Cost)];

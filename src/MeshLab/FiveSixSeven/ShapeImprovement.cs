@@ -10,6 +10,9 @@ internal sealed class ShapeImprovement(Guard guard, FaceCount faceCount, Cancell
     // A vertex that would move by less than about a hundredth of an edge stays: the square of it, as a share of the area around.
     private const double LeastMove = 2e-5;
 
+    // A pass of remeshing that splits and collapses fewer edges than this share of the faces has nothing left to do.
+    private const double FewChanges = 0.1;
+
     private int[] hints = [];
 
     /// <summary>Moves every vertex towards the area-weighted mean of its faces' centroids, in its tangent plane, and back onto the input; never where
@@ -187,44 +190,58 @@ internal sealed class ShapeImprovement(Guard guard, FaceCount faceCount, Cancell
     }
 
     /// <summary>Before the repair, where the input's triangles are bad: a few passes of isotropic remeshing at the asked number of faces.</summary>
+    /// <remarks>Needles are flipped first, so that fewer long edges are split. Ends early when a pass splits and collapses few edges.</remarks>
     public void Remesh(int targetFaces, int passes, in GuardLevel level)
     {
         double length = Math.Sqrt(4 * guard.Surface.Area / (Math.Sqrt(3) * targetFaces));
+        Flip(level, 4, FlipRule.Quality);
         for (int pass = 0; pass < passes; pass++)
         {
-            SplitLong(length * 4 / 3, level);
-            foreach (int e in faceCount.Sorted(mesh.LengthSquared))
-            {
-                if (mesh.IsLiveEdge(e) && mesh.LengthSquared(e) < 0.64 * length * length)
-                    faceCount.TryCollapse(e, level, keepsPenalty: false, maxLength: length * 4 / 3);
-            }
+            int changes = SplitLong(length * 4 / 3, level) + CollapseShort(length * 4 / 5, length * 4 / 3, level);
             Flip(level, 4, FlipRule.Regularity);
             Flip(new(0.98, 0, level.Tolerance), 2, FlipRule.Quality);
             Smooth(3, 0.7, 0.6, level);
             length *= Math.Sqrt((double)mesh.LiveFaces / targetFaces);
+            if (changes < FewChanges * mesh.LiveFaces)
+                return;
         }
     }
 
-    private void SplitLong(double limit, in GuardLevel level)
+    /// <summary>Splits edges above a length, longest first, in rounds; the number of splits.</summary>
+    private int SplitLong(double limit, in GuardLevel level)
     {
         const int Rounds = 12;
+        int splits = 0;
         for (int round = 0; round < Rounds; round++)
         {
-            int splits = 0;
-            foreach (int e in faceCount.Sorted(e => -mesh.LengthSquared(e)))
+            int[] order = faceCount.Sorted(e => -mesh.LengthSquared(e), -limit * limit);
+            foreach (int e in order)
             {
-                if (mesh.LengthSquared(e) <= limit * limit)
-                    break;
                 int h = 2 * e;
                 Vector3D p = guard.SplitPosition(h);
                 if (!guard.AllowsSplit(h, p, new(0.5, 0, 0)))
                     p = (mesh.Positions[mesh.Target[h]] + mesh.Positions[mesh.Source(h)]) * 0.5;
                 mesh.Split(h, p);
-                splits++;
             }
+            splits += order.Length;
             Flip(level, 2, FlipRule.Quality);
-            if (splits == 0)
-                return;
+            if (order.Length == 0)
+                break;
         }
+        return splits;
+    }
+
+    /// <summary>Collapses edges below a length, shortest first, where no edge gets too long; the number of collapses.</summary>
+    private int CollapseShort(double limit, double maxLength, in GuardLevel level)
+    {
+        int collapses = 0;
+        foreach (int e in faceCount.Sorted(mesh.LengthSquared, limit * limit))
+        {
+            cancellationToken.ThrowIfCancellationRequested();
+            // Collapses before this one may have moved its ends apart.
+            if (mesh.IsLiveEdge(e) && mesh.LengthSquared(e) < limit * limit && faceCount.TryCollapse(e, level, keepsPenalty: false, maxLength))
+                collapses++;
+        }
+        return collapses;
     }
 }
