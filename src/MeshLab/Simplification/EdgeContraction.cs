@@ -47,26 +47,36 @@ internal sealed class EdgeContraction
     /// <returns>The sums, for those who go on.</returns>
     public UncheckedArray<Quadric> ContractBySums(int targetFaces)
     {
+        Regions? regions = RegionsFor(targetFaces);
         UncheckedArray<Quadric> quadrics = Planes.GatherAll();
-        Contract(new SummedQuadrics(Working, quadrics, new Placement(Working, options.Placement)), targetFaces);
+        Contract(new SummedQuadrics(Working, quadrics, new Placement(Working, options.Placement)), regions, targetFaces);
         return quadrics;
     }
 
     /// <summary>Contracts edges with costs from the current faces until the number of faces is reached.</summary>
     /// <param name="history">The sums so far.</param>
     /// <param name="targetFaces">The number of faces.</param>
-    public void ContractMemoryless(UncheckedArray<Quadric> history, int targetFaces) =>
-        Contract(new MemorylessQuadrics(Working, Planes, new Placement(Working, options.Placement), history), targetFaces);
+    public void ContractMemoryless(UncheckedArray<Quadric> history, int targetFaces)
+    {
+        Regions? regions = RegionsFor(targetFaces);
+        Contract(new MemorylessQuadrics(Working, Planes, new Placement(Working, options.Placement), history), regions, targetFaces);
+    }
+
+    /// <summary>The parts to begin with, if parts pay. Asked for before the quadrics are gathered: sorting needs room of its own for a moment.</summary>
+    private Regions? RegionsFor(int targetFaces)
+    {
+        int count = extraLog is null && traits is null ? Regions.CountFor(Working.FaceCount) : 1;
+        return count > 1 && Working.FaceCount > Math.Max(targetFaces, targetFaces / 3 * 4) ? new Regions(Working, count) : null;
+    }
 
     /// <summary>Contracts edges with any cost until the number of faces is reached or nothing is left.</summary>
-    private void Contract<TCost>(TCost cost, int targetFaces)
+    private void Contract<TCost>(TCost cost, Regions? regions, int targetFaces)
         where TCost : struct, IEdgeCost
     {
         if (Working.FaceCount <= targetFaces)
             return;
         BucketScale scale = EvaluateAll(cost);
-        int regions = extraLog is null && traits is null ? Regions.CountFor(Working.FaceCount) : 1;
-        if (regions > 1 && Working.FaceCount > targetFaces / 3 * 4)
+        if (regions is not null)
             RunRegions(cost, scale, regions, targetFaces);
 
         while (Working.FaceCount > targetFaces)
@@ -128,13 +138,12 @@ internal sealed class EdgeContraction
         return new BucketScale(largest);
     }
 
-    private void RunRegions<TCost>(TCost cost, BucketScale scale, int regions, int targetFaces)
+    private void RunRegions<TCost>(TCost cost, BucketScale scale, Regions regions, int targetFaces)
         where TCost : struct, IEdgeCost
     {
-        Regions split = new(Working, regions);
-        var loops = new CollapseLoop<TCost>[regions];
-        byte[] regionOf = split.RegionsOfEdges();
-        Parallelism.ForBlocks(regions, 1, (r, _) =>
+        var loops = new CollapseLoop<TCost>[regions.Count];
+        byte[] regionOf = regions.RegionsOfEdges();
+        Parallelism.ForBlocks(loops.Length, 1, (r, _) =>
         {
             loops[r] = NewLoop(cost, new BucketQueue(scale, links), null);
             for (int e = regionOf.Length - 1; e >= 0; e--)
@@ -143,7 +152,7 @@ internal sealed class EdgeContraction
                     loops[r].Queue.Insert(e, Working.Keys[e]);
             }
         });
-        int stop = split.WhereToStop(targetFaces);
+        int stop = regions.WhereToStop(targetFaces);
         bool looksAhead = true;
         for (int bucket = 0; bucket < scale.Count && Working.FaceCount - Removed(loops) > stop;)
         {
@@ -153,7 +162,7 @@ internal sealed class EdgeContraction
                 end = EndOfRound(scale, regionOf, first, Working.FaceCount - Removed(loops) - stop);
                 looksAhead = end - first >= LeastBucketsAhead;
             }
-            Parallelism.ForBlocks(regions, 1, (r, _) => loops[r].Drain(first, end));
+            Parallelism.ForBlocks(loops.Length, 1, (r, _) => loops[r].Drain(first, end));
             cancellationToken.ThrowIfCancellationRequested();
             Report(Removed(loops));
             bucket = end;

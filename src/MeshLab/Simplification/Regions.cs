@@ -13,6 +13,7 @@ internal sealed class Regions
     public Regions(WorkingMesh mesh, int count)
     {
         this.mesh = mesh;
+        Count = count;
         int[] rank = MortonOrder.Ranks(mesh.Positions.Items);
         var all = new UncheckedArray<byte>(new byte[rank.Length]);
         for (int v = 0; v < rank.Length; v++)
@@ -24,6 +25,9 @@ internal sealed class Regions
                 regionOf[v] = HasNeighborElsewhere(v, all) ? Locked : all[v];
         });
     }
+
+    /// <summary>The number of parts.</summary>
+    public int Count { get; }
 
     /// <summary>How many parts a mesh of that size has: as many as pay, whatever the number of threads.</summary>
     public static int CountFor(int faces) => faces < 20_000 ? 1 : faces < 200_000 ? 2 : faces < 800_000 ? 4 : 16;
