@@ -304,7 +304,7 @@ public static class Models
         [4, 5, 9],
         [5, 6, 9]);
 
-    private static Mesh Moved(Mesh mesh, double scale, Vector3D offset)
+    internal static Mesh Moved(Mesh mesh, double scale, Vector3D offset)
     {
         foreach (ref Vector3D p in mesh.Positions)
             p = (p * scale) + offset;
