@@ -116,7 +116,8 @@ public static class LaboratorySubdivision
             cancellationToken.ThrowIfCancellationRequested();
             Edge edge = mesh.Edges[e];
             (Vertex old, Vertex made) = edge.Vertex0.Index < edge.Vertex1.Index ? (edge.Vertex0, edge.Vertex1) : (edge.Vertex1, edge.Vertex0);
-            if (old.Index >= oldVertices || made.Index < oldVertices)
+            // After the splits no edge joins two old vertices.
+            if (old.Index >= oldVertices)
                 continue;
             (Vertex a, Vertex b) = parents[made.Index - oldVertices];
             if (old == a || old == b)

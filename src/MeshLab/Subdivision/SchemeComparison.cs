@@ -10,7 +10,7 @@ namespace MeshLab.Subdivision;
 /// <param name="Volume">Its signed volume; of an open mesh it depends on the origin.</param>
 /// <param name="Bend">The root mean square of the angles between the normals of neighbouring faces, in radians: the less, the smoother.</param>
 /// <param name="DistanceToLimit">The largest distance of an interior vertex from where it ends up after infinitely many steps; 0 for interpolating schemes, NaN where it is not known.</param>
-/// <param name="Shrinkage">The largest distance of an old vertex's limit from its place in the input; NaN where it is not known.</param>
+/// <param name="Shrinkage">The largest distance of an interior old vertex's limit from its place in the input; NaN where it is not known.</param>
 public sealed record SchemeResult(
     SubdivisionScheme Scheme, Mesh Mesh, double Area, double Volume, double Bend, double DistanceToLimit, double Shrinkage);
 

@@ -115,6 +115,47 @@ public class FeatureSharpnessTests
         Assert.True(StaySharp(before, Cosines(s)));
     }
 
+    /// <summary>Folds hardly sharper than the feature angle, on a rough sheet: with the guard no step makes one flatter than that; without it some do.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Steps_FoldsAtTheFeatureAngle_StaySharp(bool flips)
+    {
+        const double Angle = 0.25;
+        int flattened = 0;
+        for (int seed = 0; seed < 8; seed++)
+        {
+            Mesh sheet = RemeshSurfaces.Sheet(12, seed, 0.4, x => 0.4 * Math.Max(0, Math.Abs(x - 6) - 2));
+            var random = new Random(seed);
+            foreach (Vertex v in sheet.Vertices)
+                v.Position += new Vector3D(0, 0, (flips ? 0.2 : 0.1) * random.NextDouble());
+            foreach (bool guard in new[] { true, false })
+            {
+                (RemeshSurface s, FeatureLines lines) = RemeshSurfaces.Of(sheet, 1.6, Angle);
+                FeatureSharpness? sharpness = guard ? new FeatureSharpness(s, Angle) : null;
+                Assert.True(lines.FeatureEdges > 20);
+                int done;
+                if (flips)
+                {
+                    var step = new ValenceFlips(s, sharpness);
+                    step.Run();
+                    done = step.Flips;
+                }
+                else
+                {
+                    var step = new LengthSteps(s, lines, sharpness);
+                    step.CollapseShort();
+                    done = step.Collapses;
+                }
+                Assert.True(done > 0);
+                int flat = Cosines(s).Count(c => c >= Math.Cos(Angle));
+                flattened += guard ? 0 : flat;
+                Assert.True(flat == 0 || !guard, $"{flat}");
+            }
+        }
+        Assert.True(flattened > 0);
+    }
+
     private static IEnumerable<int> Around(RemeshSurface s, int v) =>
         Enumerable.Range(0, s.HalfEdgeSlots).Where(h => s.Target[h ^ 1] == v).Select(h => s.Target[h]);
 

@@ -3,6 +3,7 @@ using MeshLab.Remeshing;
 using MeshLab.Simplification;
 using MeshLab.Spatial;
 using MeshLab.Structure;
+using MeshLab.Subdivision;
 using MeshLab.Tests.Spatial;
 using Xunit;
 
@@ -85,6 +86,41 @@ public class IsotropicRemeshingTests
         for (int i = 0; i < 8; i++)
             Assert.Contains(mesh.Vertices, v => v.Position == box.Corner(i));
         Assert.InRange(RemeshingQuality.Of(mesh).MeanSmallestAngle * 180 / Math.PI, 47, 60);
+    }
+
+    /// <summary>The border of a disc is a line without corners: its vertices slide, but not off.</summary>
+    [Theory]
+    [InlineData(0.5)]
+    [InlineData(2)]
+    public void Remesh_Disc_KeepsItsRim(double relative)
+    {
+        Mesh input = RemeshSurfaces.Fan(default, RemeshSurfaces.Polygon(36)).Subdivide(SubdivisionScheme.Midpoint, new() { Steps = 2 });
+        RemeshingResult result = input.RemeshIsotropically(new() { RelativeLength = relative, Passes = 6 });
+        Assert.Empty(result.Mesh.Validate());
+        Assert.Equal(0, result.Corners);
+        SegmentTree rim = SegmentTree.Build(input.Positions, [.. input.Edges.Where(e => e.IsBoundary).SelectMany(e => new[] { e.Vertex0.Index, e.Vertex1.Index })]);
+        Assert.All(result.Mesh.Vertices.Where(v => v.IsBoundary), v => Assert.True(rim.IsWithin(v.Position, 1e-14), $"{v}"));
+        Assert.InRange(result.Mesh.Faces.Sum(SignedArea) / input.Faces.Sum(SignedArea), 1 - 1e-3, 1 + 1e-12);
+        // And they do slide: edges along the rim are even.
+        double[] lengths = [.. result.Mesh.Edges.Where(e => e.IsBoundary).Select(e => (e.Vertex0.Position - e.Vertex1.Position).Length)];
+        Assert.InRange(lengths.Max() / lengths.Min(), 1, 2.1);
+    }
+
+    /// <summary>Folds hardly sharper than the feature angle, on a rough sheet: all of them are features of the result too.</summary>
+    [Theory]
+    [InlineData(0.7)]
+    [InlineData(1.5)]
+    public void Remesh_FoldsAtTheFeatureAngle_StaySharp(double relative)
+    {
+        const double Angle = 0.7;
+        Mesh input = RemeshSurfaces.Sheet(16, 5, 0.4, x => Math.Max(0, Math.Abs(x - 8) - 3));
+        var random = new Random(2);
+        foreach (Vertex v in input.Vertices)
+            v.Position += new Vector3D(0, 0, 0.1 * random.NextDouble());
+        RemeshingResult result = input.RemeshIsotropically(new() { RelativeLength = relative, FeatureAngle = Angle });
+        Assert.Empty(result.Mesh.Validate());
+        Assert.InRange(result.FeatureEdges, 20, 40);
+        FeatureChecks.AssertOnFeatures(input, result.Mesh, Angle);
     }
 
     [Fact]

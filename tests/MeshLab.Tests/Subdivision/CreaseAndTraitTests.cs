@@ -62,6 +62,28 @@ public class CreasesTests
         Assert.Throws<ArgumentException>(() => Creases.Set(cube, Prisms.Cube().Edges));
     }
 
+    [Fact]
+    public void Subdivide_Sharpness_LosesOnePerStepDownToZero()
+    {
+        Mesh mesh = Polyhedra.Octahedron();
+        double[] sharpness = [0.25, 1, 1.75, 3, double.PositiveInfinity];
+        for (int i = 0; i < sharpness.Length; i++)
+            Creases.Set(mesh, [mesh.Edges[i]], sharpness[i]);
+        foreach (SubdivisionScheme scheme in new[] { SubdivisionScheme.Loop, SubdivisionScheme.CatmullClark })
+        {
+            double[] left = [.. mesh.Subdivide(scheme, new() { Steps = 2 }).Edges.Select(Creases.Of)];
+            Assert.Equal([0, 1, double.PositiveInfinity], left.Distinct().Order());
+            Assert.Equal((4, 4), (left.Count(s => s == 1), left.Count(double.IsPositiveInfinity)));
+        }
+    }
+
+    [Fact]
+    public void SetByAngle_Cube_TakesWhatIsSharperOnly()
+    {
+        Assert.Equal(0, Creases.SetByAngle(Prisms.Cube(), Math.PI / 2));
+        Assert.Equal(12, Creases.SetByAngle(Prisms.Cube(), Math.BitDecrement(Math.PI / 2)));
+    }
+
     private static double Measure(Mesh mesh) => MeshLab.Tests.Generation.Measure.Volume(mesh);
 }
 

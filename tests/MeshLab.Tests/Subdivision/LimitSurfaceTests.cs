@@ -124,6 +124,79 @@ public class LimitSurfaceTests
         Assert.Equal(1, limit.Normals[0].Length, 1e-12);
     }
 
+    /// <summary>
+    /// A vertex at the border of many faces: the surface turns to its normal by the ratio of two eigenvalues close together. A hundred steps, moved and enlarged in
+    /// between, lead there.
+    /// </summary>
+    [Theory]
+    [InlineData(SubdivisionScheme.Loop, 7)]
+    [InlineData(SubdivisionScheme.Loop, 8)]
+    [InlineData(SubdivisionScheme.Loop, 10)]
+    [InlineData(SubdivisionScheme.CatmullClark, 5)]
+    [InlineData(SubdivisionScheme.CatmullClark, 6)]
+    [InlineData(SubdivisionScheme.CatmullClark, 9)]
+    public void Limit_BoundaryOfManyFaces_HasTheNormalOfAHundredSteps(SubdivisionScheme scheme, int faces)
+    {
+        Mesh mesh = Disc(faces + 1, boundary: true);
+        Vector3D normal = (scheme == SubdivisionScheme.Loop ? LimitSurface.OfLoop(mesh) : LimitSurface.OfCatmullClark(mesh)).Normals[0];
+        for (int step = 0; step < 100; step++)
+        {
+            mesh = Neighborhood(mesh.Subdivide(scheme));
+            Vector3D center = mesh.Positions[0];
+            foreach (ref Vector3D p in mesh.Positions)
+                p = (p - center) * 1.8;
+        }
+        Assert.True(Vector3D.Angle(normal, NormalAtZero(mesh)) < 0.01, $"{normal} {NormalAtZero(mesh)}");
+    }
+
+    /// <summary>A crease somewhere changes nothing elsewhere: not at the border, and not where it ends.</summary>
+    [Fact]
+    public void Limits_BesideACrease_AreSmooth()
+    {
+        Mesh mesh = Disc(6, boundary: true);
+        LimitPoints[] smooth = [LimitSurface.OfLoop(mesh), LimitSurface.OfCatmullClark(mesh)];
+        Vertex end = mesh.Vertices.First(v => !v.IsBoundary), other = end.Neighbors.First(v => !v.IsBoundary);
+        Creases.Set(mesh, [mesh.FindEdge(end, other)]);
+        LimitPoints[] creased = [LimitSurface.OfLoop(mesh), LimitSurface.OfCatmullClark(mesh)];
+        Assert.Equal(smooth[0].Positions, creased[0].Positions);
+        Assert.Equal(smooth[0].Normals, creased[0].Normals);
+        // Catmull and Clark's limit is taken after a step, in which the middle of the edge is a crease vertex.
+        foreach (Vertex v in mesh.Vertices)
+        {
+            if (v == end || v == other || v.IsNeighborOf(end) || v.IsNeighborOf(other))
+                continue;
+            Assert.Equal((smooth[1].Positions[v.Index], smooth[1].Normals[v.Index]), (creased[1].Positions[v.Index], creased[1].Normals[v.Index]));
+            Assert.Equal(1, creased[1].Normals[v.Index].Length, 1e-12);
+        }
+    }
+
+    [Theory]
+    [InlineData(1e-9)]
+    [InlineData(0.5)]
+    [InlineData(1)]
+    [InlineData(7)]
+    public void Limits_FiniteSharpness_IsRefusedWithTheEdge(double sharpness)
+    {
+        Mesh mesh = Disc(6, boundary: false);
+        Creases.Set(mesh, [mesh.Edges[3]], sharpness);
+        Assert.StartsWith("e3 ", Assert.Throws<ArgumentException>("mesh", () => LimitSurface.OfLoop(mesh)).Message, StringComparison.Ordinal);
+        Assert.StartsWith("e3 ", Assert.Throws<ArgumentException>("mesh", () => LimitSurface.OfCatmullClark(mesh)).Message, StringComparison.Ordinal);
+        Creases.Set(mesh, [mesh.Edges[3]], 0);
+        Assert.Equal(LimitSurface.OfLoop(Disc(6, boundary: false)).Normals, LimitSurface.OfLoop(mesh).Normals);
+    }
+
+    [Fact]
+    public void Limits_LargeMesh_TellProgressOnTheWay()
+    {
+        Mesh mesh = Grids.Grid(100, 100);
+        foreach (Action<IProgress<double>> limit in new Action<IProgress<double>>[] { p => LimitSurface.OfLoop(mesh, progress: p), p => LimitSurface.OfCatmullClark(mesh, p) })
+        {
+            var told = new List<double>();
+            limit(new Simplification.ProgressTeller(told.Add));
+            Assert.Equal([0, 0.4096, 0.8192, 1], told);
+        }
+    }
+
     [Fact]
     public void OfLoop_OnCreases_IsTheCurvesLimit()
     {

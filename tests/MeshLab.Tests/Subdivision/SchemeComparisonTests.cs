@@ -41,6 +41,44 @@ public class SchemeComparisonTests
         Assert.Equal(before.Shrinkage, moved, 1e-3);
     }
 
+    /// <summary>On the icosahedron a vertex and the middle of its neighbours stay on their axis: iterating the rules for both leads to the limit.</summary>
+    [Fact]
+    public void Compare_Sqrt3Limit_IsTheFixedPointOfItsRules()
+    {
+        Mesh mesh = Polyhedra.Icosahedron();
+        Vertex vertex = mesh.Vertices[0];
+        double alpha = (4 - 2 * Math.Cos(2 * Math.PI / 5)) / 9, start = vertex.Position.Length, v = start;
+        double m = vertex.Neighbors.Average(w => Vector3D.Dot(w.Position, vertex.Position) / start);
+        for (int i = 0; i < 200; i++)
+            (v, m) = ((1 - alpha) * v + alpha * m, (v + 2 * m) / 3);
+
+        SchemeResult result = SchemeComparison.Compare(mesh, 0, SubdivisionScheme.Sqrt3)[0];
+
+        Assert.Equal(start - v, result.Shrinkage, 1e-13);
+        Assert.Equal(start - v, result.DistanceToLimit, 1e-13);
+    }
+
+    /// <summary>Twelve right angles and six flat edges on a cube: the root of the mean of their squares.</summary>
+    [Fact]
+    public void Compare_Bend_IsTheRootMeanSquareAngle() =>
+        Assert.Equal(Math.PI / 2 * Math.Sqrt(12.0 / 18), SchemeComparison.Compare(Models.Create("cube"), 0, SubdivisionScheme.Midpoint)[0].Bend, 1e-14);
+
+    /// <summary>The limit of the border of a sheet does not count: the border is another curve.</summary>
+    [Fact]
+    public void Compare_Border_DoesNotCount()
+    {
+        Mesh mesh = Remeshing.RemeshSurfaces.Sheet(6, 1, 0);
+        foreach (Vertex v in mesh.Vertices)
+            v.Position += new Vector3D(0, 0, v.IsBoundary ? v.Index % 3 : 0.5);
+        foreach (Vertex v in mesh.Vertices.Where(v => !v.IsBoundary && v.Neighbors.Any(w => w.IsBoundary)))
+            Assert.Equal(0.5, v.Position.Z);
+        SchemeResult result = SchemeComparison.Compare(mesh, 0, SubdivisionScheme.Loop)[0];
+        Vector3D[] limit = LimitSurface.OfLoop(mesh).Positions;
+        double expected = mesh.Vertices.Where(v => !v.IsBoundary).Max(v => Vector3D.Distance(v.Position, limit[v.Index]));
+        Assert.Equal(expected, result.Shrinkage, 1e-15);
+        Assert.True(mesh.Vertices.Max(v => Vector3D.Distance(v.Position, limit[v.Index])) > 1.1 * expected);
+    }
+
     [Fact]
     public void Compare_ProgressAndCancellation_ByScheme()
     {

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using MeshLab.Editing;
 using MeshLab.Generation;
 using MeshLab.Numerics;
 using MeshLab.Structure;
@@ -132,7 +133,27 @@ public class SchemeTests
             var options = new SubdivisionOptions { Steps = steps, FaceBudget = finer.Faces.Count - 1 };
             string message = Assert.Throws<ArgumentException>(() => mesh.Subdivide(scheme, options)).Message;
             Assert.Contains($"{finer.Vertices.Count} vertices, {finer.Edges.Count} edges and {finer.Faces.Count} faces", message, StringComparison.Ordinal);
+            Assert.Equal(finer.Faces.Count, mesh.Subdivide(scheme, options with { FaceBudget = finer.Faces.Count }).Faces.Count);
         }
+    }
+
+    /// <summary>Deleting faces leaves holes whose half-edges have even numbers too; builders make odd ones.</summary>
+    [Theory]
+    [MemberData(nameof(Schemes))]
+    public void Subdivide_AfterDeletions_IsValid(SubdivisionScheme scheme)
+    {
+        Mesh mesh = Models.Create("torus");
+        foreach (int f in new[] { 0, 20, 21, 47, 90 })
+            mesh.Faces[f].Delete();
+        Assert.Equal([0, 1], mesh.HalfEdges.Where(h => h.IsBoundary).Select(h => h.Index & 1).Distinct().Order());
+        ulong before = mesh.StateHash();
+        int loops = Measure.BoundaryLoops(mesh);
+
+        Mesh finer = mesh.Subdivide(scheme, new() { Steps = 2 });
+
+        Assert.Empty(finer.Validate());
+        Assert.Equal(loops, Measure.BoundaryLoops(finer));
+        Assert.Equal(before, mesh.StateHash());
     }
 
     [Fact]
