@@ -102,9 +102,14 @@ internal sealed class FitSystem
             double area = damping[v];
             damping[v] = Damping * area + Math.Max(0, area - got[v]) + 1e-30;
             if (isFixed[v])
+            {
+                // Directions go through the inverse, so nothing moves the vertex.
                 (residual[v], inverse[v]) = (default, default);
+            }
             else
+            {
                 inverse[v] = inverse[v].InverseWith(damping[v]);
+            }
         }
     }
 
@@ -126,11 +131,7 @@ internal sealed class FitSystem
         }
         double energy = 0;
         for (int v = 0; v < x.Length; v++)
-        {
-            if (isFixed[v])
-                image[v] = default;
             energy += Vector3D.Dot(x[v], image[v]);
-        }
         return energy;
     }
 

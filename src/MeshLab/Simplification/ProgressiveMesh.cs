@@ -74,7 +74,7 @@ public sealed class ProgressiveMesh
             copy.Compact();
         TraitLog? traits = TraitLog.For(copy);
         var log = new StepLog(traits);
-        var contraction = new EdgeContraction(copy, options, traits, LogGroup.Of(log, TraceLog.For(options.Trace)), progress, cancellationToken);
+        var contraction = new EdgeContraction(copy, options, traits, LogGroup.Of(log, TraceLog.For(options.Trace, options.AreaWeights)), progress, cancellationToken);
         QuadricErrorMetric.Contract(contraction, options, target);
         cancellationToken.ThrowIfCancellationRequested();
         SimplificationResult report = QuadricErrorMetric.Report(contraction, target, copy.Faces.Count);

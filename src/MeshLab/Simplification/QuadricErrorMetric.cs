@@ -51,7 +51,7 @@ public static class QuadricErrorMetric
     private static SimplificationResult RunFast(
         Mesh mesh, QuadricOptions options, int target, IProgress<double>? progress, CancellationToken cancellationToken)
     {
-        var contraction = new EdgeContraction(mesh, options, TraitLog.For(mesh), TraceLog.For(options.Trace), progress, cancellationToken);
+        var contraction = new EdgeContraction(mesh, options, TraitLog.For(mesh), TraceLog.For(options.Trace, options.AreaWeights), progress, cancellationToken);
         Contract(contraction, options, target);
         return Finish(mesh, contraction, Take(mesh, contraction, target, out SimplificationResult report), report, cancellationToken);
     }
@@ -59,7 +59,7 @@ public static class QuadricErrorMetric
     private static SimplificationResult RunAccurate(
         Mesh mesh, QuadricOptions options, int target, IProgress<double>? progress, CancellationToken cancellationToken)
     {
-        var contraction = new EdgeContraction(mesh, options, TraitLog.For(mesh), TraceLog.For(options.Trace), progress, cancellationToken) { ProgressShare = 0.8 };
+        var contraction = new EdgeContraction(mesh, options, TraitLog.For(mesh), TraceLog.For(options.Trace, options.AreaWeights), progress, cancellationToken) { ProgressShare = 0.8 };
         contraction.Working.TrackSuccessors();
         Contract(contraction, options, target);
         CompactResult result = Take(mesh, contraction, target, out SimplificationResult report);

@@ -10,7 +10,8 @@ public enum QuadricMode
     Accurate,
 
     /// <summary>The book's steps with handles and an indexed heap, one edge after the other: to be read. The book's own program is this with
-    /// <see cref="QuadricOptions.AreaWeights"/> off, a free boundary and flips allowed. Vertices on features and seams are locked.</summary>
+    /// <see cref="QuadricOptions.AreaWeights"/> off, a free boundary and flips allowed. Vertices on features and seams are locked. Corner traits are blended
+    /// only where edges merge, as <see cref="Editing.EdgeCollapse"/> does.</summary>
     Textbook,
 }
 

@@ -7,15 +7,26 @@ namespace MeshLab.Simplification;
 internal sealed class TraceLog : CollapseLog
 {
     private readonly TextWriter writer;
+    private readonly bool areaWeights;
     private int step;
     private ulong hash = 14695981039346656037;
 
-    private TraceLog(TextWriter writer) => this.writer = writer;
+    private TraceLog(TextWriter writer, bool areaWeights)
+    {
+        this.writer = writer;
+        this.areaWeights = areaWeights;
+    }
 
-    public static TraceLog? For(TextWriter? writer) => writer is null ? null : new TraceLog(writer);
+    /// <summary>A log; <see langword="null"/> if there is nowhere to write.</summary>
+    /// <param name="writer">Where to write.</param>
+    /// <param name="areaWeights">Whether a working mesh's costs are squared distances times areas, rather than squared distances.</param>
+    public static TraceLog? For(TextWriter? writer, bool areaWeights = false) => writer is null ? null : new TraceLog(writer, areaWeights);
 
-    public override void BeforeCollapse(WorkingMesh mesh, int h, Vector3D position, Merges merges) =>
-        Write(h >> 1, mesh.Rows[h].Target, mesh.Rows[h ^ 1].Target, mesh.Keys[h >> 1] * mesh.Scale * mesh.Scale, mesh.Restored(position));
+    public override void BeforeCollapse(WorkingMesh mesh, int h, Vector3D position, Merges merges)
+    {
+        double square = mesh.Scale * mesh.Scale;
+        Write(h >> 1, mesh.Rows[h].Target, mesh.Rows[h ^ 1].Target, mesh.Keys[h >> 1] * square * (areaWeights ? square : 1), mesh.Restored(position));
+    }
 
     /// <summary>Writes the line of a contraction.</summary>
     /// <param name="edge">The contracted edge.</param>

@@ -211,12 +211,12 @@ internal sealed class WorkingMesh
     {
         UncheckedArray<HalfEdgeRow> rows = Rows;
         UncheckedArray<Vector3D> positions = Positions;
-        int leftFace = rows[h].Face, rightFace = rows[h ^ 1].Face;
+        int rightFace = rows[h ^ 1].Face;
         Vector3D before = positions[rows[h ^ 1].Target];
         for (int g = rows[h ^ 1].Next; g != h; g = rows[g ^ 1].Next)
         {
             ref HalfEdgeRow row = ref rows[g];
-            if (row.Face < 0 || row.Face == leftFace || row.Face == rightFace)
+            if (row.Face < 0 || row.Face == rightFace)
                 continue;
             Vector3D a = positions[row.Target], edge = positions[rows[row.Next].Target] - a;
             Vector3D oldNormal = Vector3D.Cross(edge, before - a), newNormal = Vector3D.Cross(edge, position - a);

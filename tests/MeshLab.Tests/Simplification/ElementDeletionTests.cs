@@ -255,12 +255,50 @@ public class ElementDeletionTests
                 if (cost != last)
                     Assert.Equal(Measured(copy, h, measure, cost), cost, 1e-12);
                 last = cost;
+                if (measure == DeletionMeasure.LowestCurvature)
+                    AssertTurnsLeast(h);
                 double[] p = [.. line.GetProperty("position").EnumerateArray().Select(x => x.GetDouble())];
                 h.Collapse(new(p[0], p[1], p[2]));
             }
             Assert.Equal(Lines(trace).Max(line => line.GetProperty("cost").GetDouble()), result.MaxError);
             copy.Compact();
             Assert.Equal(copy.StateHash(), mesh.StateHash());
+        }
+    }
+
+    /// <summary>No neighbour into which the source could go as well would turn the faces that stay less.</summary>
+    private static void AssertTurnsLeast(HalfEdge chosen)
+    {
+        foreach (HalfEdge h in chosen.Source.OutgoingHalfEdges)
+        {
+            if (h.CanCollapse(out _) && !h.CollapseFlips(h.Target.Position, 0.2))
+                Assert.True(LeastCosine(h) <= LeastCosine(chosen) + 1e-12, $"{h} instead of {chosen}");
+        }
+
+        static double LeastCosine(HalfEdge h)
+        {
+            double least = 1;
+            foreach (Face f in h.Source.Faces.Where(f => !f.Vertices.Contains(h.Target)))
+            {
+                Vector3D[] old = [.. f.Vertices.Select(v => v.Position)], then = [.. f.Vertices.Select(v => v == h.Source ? h.Target.Position : v.Position)];
+                least = Math.Min(least, Math.Cos(Vector3D.Angle(Vector3D.Cross(old[1] - old[0], old[2] - old[0]), Vector3D.Cross(then[1] - then[0], then[2] - then[0]))));
+            }
+            return least;
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Measures))]
+    public void DeleteElements_FurtherAndFurther_HasAnErrorThatNeverFalls(DeletionMeasure measure)
+    {
+        double last = 0;
+        for (int faces = 120; faces > 8; faces -= 2)
+        {
+            var random = new Random(9);
+            Mesh mesh = Shapes.Sheet(8, (_, _) => 0.2 * random.NextDouble());
+            double error = mesh.DeleteElements(new() { TargetFaces = faces, Measure = measure }).MaxError;
+            Assert.True(error >= last, $"{error} at {faces} faces after {last}");
+            last = error;
         }
     }
 

@@ -1,3 +1,4 @@
+using MeshLab.Editing;
 using MeshLab.Numerics;
 using MeshLab.Simplification;
 using MeshLab.Structure;
@@ -79,6 +80,62 @@ public class MeshDistanceTests
         Assert.Equal(1, forward.Mean, 1e-12);
         Assert.Equal(1, forward.Rms, 1e-12);
         Assert.Equal(3, forward.Max, 1e-12);
+    }
+
+    /// <summary>Three parts of the area lie at distance 1, one at 2.</summary>
+    [Theory]
+    [InlineData(true, 1e-12)]
+    [InlineData(false, 1e-3)]
+    public void Measure_FacesOfDifferentSize_CountByTheirArea(bool deterministic, double tolerance)
+    {
+        Mesh steps = MeshBuilder.FromTriangles(
+            [new(0, 0, 1), new(6, 0, 1), new(0, 1, 1), new(0, 0, 2), new(2, 0, 2), new(0, 1, 2)], [0, 1, 2, 3, 4, 5]);
+        Mesh floor = MeshBuilder.FromTriangles([new(-100, -100, 0), new(100, -100, 0), new(0, 100, 0)], [0, 1, 2]);
+
+        DistanceStatistics forward = steps.DistanceTo(floor, new() { Deterministic = deterministic }).Forward;
+
+        Assert.Equal(1.25, forward.Mean, tolerance);
+        Assert.Equal(Math.Sqrt(7 / 4.0), forward.Rms, tolerance);
+        Assert.Equal(2, forward.Max, 1e-12);
+    }
+
+    /// <summary>The other mesh begins at the three corners: the middles of the longer sides are farthest from it.</summary>
+    [Fact]
+    public void Measure_Deterministic_LooksAtTheMiddlesOfEdges()
+    {
+        Mesh triangle = MeshBuilder.FromTriangles([new(0, 0, 0), new(4, 0, 0), new(2, 1, 0)], [0, 1, 2]);
+        Mesh corners = MeshBuilder.FromTriangles(
+            [new(0, 0, 0), new(-1, 0, 0), new(-1, 1, 0), new(4, 0, 0), new(5, 0, 0), new(5, 1, 0), new(2, 1, 0), new(2, 2, 0), new(1.75, 2, 0)],
+            [0, 1, 2, 3, 4, 5, 6, 7, 8]);
+
+        Assert.Equal(Math.Sqrt(1.25), triangle.DistanceTo(corners, new() { Deterministic = true }).Forward.Max, 1e-12);
+    }
+
+    /// <summary>Without an area to spread points on there are the corners, and in the deterministic way the middles.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Measure_NeedlesOnly_IsTheMeanOverTheirPoints(bool deterministic)
+    {
+        // At heights 0, 1, 3; middles at ½, 2, 1½; the barycentre at 4/3.
+        Mesh needle = MeshBuilder.FromTriangles([new(0, 0, 0), new(0, 0, 1), new(0, 0, 3)], [0, 1, 2]);
+        Mesh floor = MeshBuilder.FromTriangles([new(-100, -100, 0), new(100, -100, 0), new(0, 100, 0)], [0, 1, 2]);
+        double mean = deterministic ? (0 + 1 + 3 + 0.5 + 2 + 1.5 + 4 / 3.0) / 7 : (0 + 1 + 3) / 3.0;
+
+        Assert.Equal(mean, needle.DistanceTo(floor, new() { Deterministic = deterministic }).Forward.Mean, 1e-12);
+    }
+
+    [Fact]
+    public void VertexDistancesTo_DeletedVertex_IsNotANumber()
+    {
+        Mesh mesh = Shapes.Sheet(2);
+        mesh.Faces[0].HalfEdge.Collapse();
+        Assert.False(mesh.IsCompact);
+
+        double[] distances = mesh.VertexDistancesTo(Shapes.Sheet(2));
+
+        for (int v = 0; v < distances.Length; v++)
+            Assert.Equal(mesh.IsDeletedVertex(v), double.IsNaN(distances[v]));
     }
 
     [Fact]

@@ -72,7 +72,7 @@ public class ProgressiveMeshTests
     [Fact]
     public void GoToBase_EndpointPlacement_KeepsTheBitsOfPositions()
     {
-        Mesh mesh = Shapes.Moved(Shapes.Torus(20, 12), p => p * 0.3 + new Vector3D(7.1, -3.3, 0.7));
+        Mesh mesh = Shapes.Moved(Shapes.Torus(20, 12), p => new(0.3 * p.X, 0.7 * p.Y + 0.1 * p.X, p.Z));
         var before = mesh.Positions.ToArray().ToHashSet();
         ProgressiveMesh progressive = ProgressiveMesh.Create(mesh, new() { Placement = VertexPlacement.Endpoint });
 

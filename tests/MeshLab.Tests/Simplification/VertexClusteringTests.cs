@@ -144,11 +144,14 @@ public class VertexClusteringTests
 
         Assert.Throws<ArgumentOutOfRangeException>(() => new ClusteringOptions { CellSize = 0 });
         Assert.Throws<ArgumentOutOfRangeException>(() => new ClusteringOptions { CellSize = double.NaN });
+        Assert.Throws<ArgumentOutOfRangeException>(() => new ClusteringOptions { CellSize = double.PositiveInfinity });
         Assert.Throws<ArgumentOutOfRangeException>(() => new ClusteringOptions { Cells = 0 });
         Assert.Throws<ArgumentException>(() => mesh.ClusterVertices(new()));
         ArgumentException small = Assert.Throws<ArgumentException>(() => mesh.ClusterVertices(new() { CellSize = 1e-9 }));
         Assert.Contains("1E+09", small.Message, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(() => mesh.ClusterVertices(new() { Cells = int.MaxValue }));
+        foreach (Vector3D far in (Vector3D[])[new(3e6, 0, 0), new(0, 3e6, 0), new(0, 0, 3e6)])
+            Assert.Throws<ArgumentException>(() => MeshBuilder.FromTriangles([default, new(1, 1, 1), far], [0, 1, 2]).ClusterVertices(new() { CellSize = 1 }));
         Assert.Throws<ArgumentException>(() => MeshBuilder.FromFaces(4, [0, 1, 2, 3]).ClusterVertices(new() { CellSize = 1 }));
     }
 
@@ -163,23 +166,26 @@ public class VertexClusteringTests
 
     /// <summary>Three sides of a pyramid, cut off below its tip: their planes meet in the tip, whether that lies in the cell or not.</summary>
     [Theory]
-    [InlineData(13)]
-    [InlineData(16)]
-    public void ClusterVertices_QuadricOptimum_IsTheMeanIfItLiesBesideTheCell(double tip)
+    [InlineData(13, 0)]
+    [InlineData(16, 0)]
+    [InlineData(13, 1)]
+    [InlineData(16, 1)]
+    [InlineData(13, 2)]
+    [InlineData(16, 2)]
+    public void ClusterVertices_QuadricOptimum_IsTheMeanIfItLiesBesideTheCell(double tip, int axis)
     {
-        var offset = new Vector3D(10, 20, 30);
         double cut = 8 * (1 - 12 / tip);
+        Vector3D Point(double x, double y, double z) => new Vector3D(10, 20, 30) + axis switch { 0 => new(z, x, y), 1 => new(y, z, x), _ => new(x, y, z) };
         Mesh mesh = MeshBuilder.FromTriangles(
-            [offset, offset + new Vector3D(8, 0, 0), offset + new Vector3D(0, 8, 0),
-                offset + new Vector3D(0, 0, 12), offset + new Vector3D(cut, 0, 12), offset + new Vector3D(0, cut, 12)],
+            [Point(0, 0, 0), Point(8, 0, 0), Point(0, 8, 0), Point(0, 0, 12), Point(cut, 0, 12), Point(0, cut, 12)],
             [0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5]);
 
         // The cell of the three upper vertices reaches from 10 to 15.
         ClusteringResult result = mesh.ClusterVertices(new() { CellSize = 5, Representative = CellRepresentative.QuadricOptimum });
 
-        Vector3D expected = tip < 15 ? new(0, 0, tip) : new(cut / 3, cut / 3, 12);
+        Vector3D expected = tip < 15 ? Point(0, 0, tip) : Point(cut / 3, cut / 3, 12);
         Assert.Equal(4, result.Cells);
-        Assert.Equal(0, Vector3D.Distance(offset + expected, result.Mesh.Vertices[3].Position), 1e-9);
+        Assert.Equal(0, Vector3D.Distance(expected, result.Mesh.Vertices[3].Position), 1e-9);
         Assert.Empty(result.Mesh.Validate());
     }
 
@@ -207,6 +213,21 @@ public class VertexClusteringTests
         Assert.Equal(0, Vector3D.Distance(new(0.5, 0.5, height), result.Mesh.Vertices[0].Position), 1e-12);
         // One plane alone has no unique optimum.
         Assert.Equal(new(3.125, 0.125, 0.25), result.Mesh.Vertices[1].Position);
+    }
+
+    [Theory]
+    [InlineData(0.5)]
+    [InlineData(0.001)]
+    public void ClusterVertices_VertexWithoutFaces_HasNoCell(double size)
+    {
+        Mesh mesh = Shapes.Sheet(4), alone = mesh.Clone();
+        alone.AddVertex(new(0.1, 0.1, 1));
+        var options = new ClusteringOptions { CellSize = size };
+
+        ClusteringResult expected = mesh.ClusterVertices(options), result = alone.ClusterVertices(options);
+
+        Assert.Equal(expected.Cells, result.Cells);
+        Assert.Equal(expected.Mesh.StateHash(), result.Mesh.StateHash());
     }
 
     [Fact]
