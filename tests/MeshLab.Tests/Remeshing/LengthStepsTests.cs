@@ -176,10 +176,15 @@ public class LengthStepsTests
     [InlineData(0.8)]
     public void CollapseShort_EdgeToACorner_GoesToTheCorner(double x)
     {
-        (RemeshSurface s, FeatureLines lines) = RemeshSurfaces.Of(RemeshSurfaces.Fan(new(0.5, 0.3, 0), default, new(x, 0, 0), new(1, 0, 0), new(0.5, 0.9, 0)));
-        Collapse(s, lines);
-        Assert.DoesNotContain(new Vector3D(x, 0, 0), RemeshSurfaces.Places(s));
-        AssertHas(s, default, new(1, 0, 0), new(0.5, 0.9, 0));
+        // Nothing else is short: the vertex inside wants little.
+        foreach (int[] corners in new int[][] { [0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1], [1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1, 0], [2, 0, 1, 3, 0, 2, 4, 0, 3, 1, 0, 4] })
+        {
+            Vector3D[] positions = [new(0.5, 0.4, 0), default, new(x, 0, 0), new(1, 0, 0), new(0.5, 0.9, 0)];
+            (RemeshSurface s, FeatureLines lines) = RemeshSurfaces.Of(MeshBuilder.FromTriangles(positions, corners), 1.1);
+            s.Size[0] = 0.3;
+            Assert.Equal(1, Collapse(s, lines).Collapses);
+            Assert.Equal([positions[0], .. positions[3..], default], RemeshSurfaces.Places(s).OrderBy(p => (p == default, p == positions[4], p == positions[3])));
+        }
     }
 
     /// <summary>Where lines cross there may be corners on straight lines, next to each other.</summary>
