@@ -38,6 +38,8 @@ internal sealed class FiveSixSevenVerb : Verb
         if (!(context.Get(featureAngle) is >= 0 and <= 180))
             throw new UsageException(FormattableString.Invariant($"--feature-angle {context.Get(featureAngle)}: not in [0, 180]"));
         Mesh mesh = context.ReadMesh(context.Get(input));
+        if (mesh.Faces.FirstOrDefault(f => !f.IsTriangle) is { IsNone: false } polygon)
+            throw new RefusedException($"f{polygon.Index} has {polygon.Degree} corners; a 5-6-7 mesh is made of triangles. Triangulate the mesh first.", $"f{polygon.Index}");
         using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
         var options = new FiveSixSevenOptions
         {
@@ -48,7 +50,7 @@ internal sealed class FiveSixSevenVerb : Verb
         };
         FiveSixSevenResult result = context.Time(() => Make(mesh, options, context));
         context.WriteMesh(result.Mesh, context.Get(output));
-        MeshDistanceReport distance = MeshDistance.Measure(mesh, result.Mesh, new MeshDistanceOptions { Seed = context.Seed });
+        MeshDistanceReport? distance = mesh.Faces.Count == 0 ? null : MeshDistance.Measure(mesh, result.Mesh, new MeshDistanceOptions { Seed = context.Seed });
 
         context.Result
             .Add("valence", new ResultFields().Add("5", Count(result, 5)).Add("6", Count(result, 6)).Add("7", Count(result, 7)))
@@ -60,9 +62,9 @@ internal sealed class FiveSixSevenVerb : Verb
             })
             .Add("complete", result.IsComplete)
             .Add("faces", result.Mesh.Faces.Count)
-            .Add("hausdorff", distance.Hausdorff)
-            .Add("rms", distance.Rms)
-            .Add("diagonal", distance.Diagonal)
+            .Add("hausdorff", distance?.Hausdorff ?? 0)
+            .Add("rms", distance?.Rms ?? 0)
+            .Add("diagonal", distance?.Diagonal ?? 0)
             .Add("meanQuality", result.Mesh.Faces.Count == 0 ? 0 : result.Mesh.ComputeFaceQualities().Average())
             .Add("operations", new ResultFields().Add("walks", result.Walks).Add("level", result.Level).Add("lastResort", result.UsedLastResort));
         context.Table(

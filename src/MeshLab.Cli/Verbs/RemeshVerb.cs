@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using MeshLab.Cli.Hosting;
+using MeshLab.Geometry;
 using MeshLab.Remeshing;
 using MeshLab.Structure;
 
@@ -40,7 +41,7 @@ internal sealed class RemeshVerb : Verb
         Mesh mesh = context.ReadMesh(context.Get(input));
         using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
         (Mesh result, RemeshingStop stop, double length) =
-            context.Time(() => context.Get(laboratory) ? InLaboratory(mesh, lines, context) : Remesh(mesh, lines, context));
+            context.Time(() => WithinBudget(() => context.Get(laboratory) ? InLaboratory(mesh, lines, context) : Remesh(mesh, lines, context)));
         context.WriteMesh(result, context.Get(output));
 
         RemeshingQuality quality = RemeshingQuality.Of(result);
@@ -63,6 +64,11 @@ internal sealed class RemeshVerb : Verb
     {
         if (context.Has(edgeLength) && context.Has(relative))
             throw new UsageException("--edge-length and --relative exclude each other");
+        foreach (Option option in (Option[])[featureAngle, highQuality, curvatureTolerance])
+        {
+            if (context.Get(laboratory) && context.Has(option))
+                throw new UsageException($"{option.Name} does not go with --laboratory, which has four steps and no more");
+        }
         foreach (Option<double> option in (Option<double>[])[edgeLength, relative, curvatureTolerance])
         {
             if (context.Has(option) && !(context.Get(option) > 0 && double.IsFinite(context.Get(option))))
@@ -72,6 +78,19 @@ internal sealed class RemeshVerb : Verb
             throw new UsageException($"--iterations {context.Get(iterations)}: not positive");
         if (!(context.Get(featureAngle) is > 0 and <= 180))
             throw new UsageException(FormattableString.Invariant($"--feature-angle {context.Get(featureAngle)}: not in (0, 180]"));
+    }
+
+    private static T WithinBudget<T>(Func<T> remesh)
+    {
+        try
+        {
+            return remesh();
+        }
+        catch (ArgumentException e) when (e.ParamName == "options")
+        {
+            // Which edges are too short depends on the mesh: they are refused, not wrong usage.
+            throw new RefusedException(e.Message.Split(" (Parameter", 2)[0]);
+        }
     }
 
     private (Mesh Mesh, RemeshingStop Stop, double EdgeLength) Remesh(Mesh mesh, TextWriter? lines, VerbContext context)
@@ -96,7 +115,7 @@ internal sealed class RemeshVerb : Verb
         var options = new LaboratoryRemeshingOptions
         {
             Passes = context.Get(iterations),
-            EdgeLength = context.Has(edgeLength) ? context.Get(edgeLength) : null,
+            EdgeLength = context.Has(edgeLength) ? context.Get(edgeLength) : context.Has(relative) && mesh.Edges.Count > 0 ? context.Get(relative) * mesh.MeanEdgeLength : null,
             Trace = lines,
         };
         LaboratoryRemeshingResult result = mesh.RemeshInLaboratory(options, context.Progress("remesh"), context.CancellationToken);

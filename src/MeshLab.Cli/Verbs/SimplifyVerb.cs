@@ -92,6 +92,16 @@ internal sealed class SimplifyVerb : Verb
             throw new UsageException(isClustering ? "--method clustering needs --cell-size or --cells" : $"--cell-size and --cells go with --method clustering, not {way}");
         if (!isClustering && !context.Has(faces) && !context.Has(ratio) && !(isQem && context.Has(maxError)))
             throw new UsageException(isQem ? "one of --faces, --ratio, --max-error is needed" : "one of --faces, --ratio is needed");
+        foreach ((Option one, Option other) in ((Option, Option)[])[(faces, ratio), (cellSize, cells)])
+        {
+            if (context.Has(one) && context.Has(other))
+                throw new UsageException($"{one.Name} and {other.Name} exclude each other");
+        }
+        foreach (Option option in (Option[])[faces, ratio])
+        {
+            if (isClustering && context.Has(option))
+                throw new UsageException($"{option.Name} does not go with --method clustering, whose cells tell how many faces remain");
+        }
         if (context.Has(faces) && context.Get(faces) <= 0)
             throw new UsageException($"--faces {context.Get(faces)}: not positive");
         if (context.Has(ratio) && !(context.Get(ratio) > 0 && context.Get(ratio) <= 1))

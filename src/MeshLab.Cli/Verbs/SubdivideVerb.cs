@@ -47,6 +47,8 @@ internal sealed class SubdivideVerb : Verb
             throw new UsageException($"--limit is known for loop, loop-warren and catmull-clark, not for {name}");
         if (context.Get(creaseAngle) is not null && !smooths)
             throw new UsageException($"--crease-angle is for loop, loop-warren and catmull-clark, not for {name}");
+        if (context.Get(creaseAngle) is { } bend && !(bend is >= 0 and <= 180))
+            throw new UsageException(FormattableString.Invariant($"--crease-angle {bend}: not in [0, 180]"));
 
         Mesh mesh = context.ReadMesh(context.Get(input));
         using StreamWriter? lines = context.Has(trace) ? new StreamWriter(context.Get(trace)) : null;
@@ -64,7 +66,15 @@ internal sealed class SubdivideVerb : Verb
         {
             if (context.Get(creaseAngle) is { } degrees)
                 creases = Creases.SetByAngle(mesh, degrees * Math.PI / 180);
-            return mesh.Subdivide(SchemeOf(name), options, out report, progress, context.CancellationToken);
+            try
+            {
+                return mesh.Subdivide(SchemeOf(name), options, out report, progress, context.CancellationToken);
+            }
+            catch (ArgumentException e) when (e.ParamName == nameof(options))
+            {
+                // What is too many steps depends on the mesh: it is refused, not wrong usage.
+                throw new RefusedException(e.Message.Split(" (Parameter", 2)[0]);
+            }
         });
         context.WriteMesh(finer, context.Get(output));
         context.Result.Add("stopReason", report!.StopReason == SubdivisionStop.StepsDone ? "steps-done" : "nothing-to-do").Add("scheme", name).Add("steps", options.Steps).Add("limit", context.Get(limit));

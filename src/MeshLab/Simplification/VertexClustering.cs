@@ -1,5 +1,6 @@
 using MeshLab.Editing;
 using MeshLab.Numerics;
+using MeshLab.Spatial;
 using MeshLab.Structure;
 
 namespace MeshLab.Simplification;
@@ -66,7 +67,7 @@ public sealed record ClusteringResult(
 /// <remarks>
 /// Rossignac and Borrel 1993. The grid begins at the lowest corner of the bounding box; only cells with vertices are kept, so memory is O(n)
 /// whatever the size of the cells. Topology may change: the faces go through the builder's policy. The book's program instead contracts legal edges within a
-/// cell: <c>CollapseCells</c>, which keeps the topology. Traits are not carried by the first form. O(n).
+/// cell: <c>CollapseCells</c>, which keeps the topology. The first form carries traits by place. O(n), with traits O(n log n).
 /// </remarks>
 public static class VertexClustering
 {
@@ -109,6 +110,7 @@ public static class VertexClustering
             int[] corners = DistinctFaces(parts, cells, out int duplicates);
             var soup = new PolygonSoup(positions, PolygonSoup.TriangleStarts(corners.Length, nameof(mesh)), corners);
             Mesh result = MeshBuilder.FromSoup(soup, options.NonManifold, out BuildReport report);
+            result.TakeTraitsFrom(mesh, cancellationToken);
             progress?.Report(1);
             return new(result, cells, parts.Sum(part => part.CollapsedFaces), duplicates, report, StopReason.CellsDone, LongestWay(mesh, cellOf, positions));
 

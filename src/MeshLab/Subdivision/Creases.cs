@@ -37,12 +37,14 @@ public static class Creases
 
     /// <summary>Makes sharp every interior edge whose faces meet at more than an angle. O(E).</summary>
     /// <param name="mesh">The mesh.</param>
-    /// <param name="angle">Between the normals of the faces, in radians.</param>
+    /// <param name="angle">Between the normals of the faces, in radians, from 0 to π.</param>
     /// <param name="sharpness">At least 0; infinite for ever.</param>
     /// <returns>How many edges are sharp now.</returns>
     public static int SetByAngle(Mesh mesh, double angle, double sharpness = double.PositiveInfinity)
     {
         ArgumentNullException.ThrowIfNull(mesh);
+        if (!(angle is >= 0 and <= Math.PI))
+            throw new ArgumentOutOfRangeException(nameof(angle), angle, "An angle between two faces is from 0 to π.");
         List<Edge> sharp = [.. mesh.Edges.Where(e => !e.IsBoundary && Vector3D.Angle(AreaVector(e.Face0), AreaVector(e.Face1)) > angle)];
         Set(mesh, sharp, sharpness);
         return sharp.Count;

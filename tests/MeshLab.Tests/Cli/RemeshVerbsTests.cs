@@ -74,21 +74,46 @@ public sealed class RemeshVerbsTests : IDisposable
     [InlineData("--relative 0: not a positive number", "remesh", "--relative", "0")]
     [InlineData("--iterations 0: not positive", "remesh", "--iterations", "0")]
     [InlineData("exclude each other", "remesh", "--edge-length", "1", "--relative", "2")]
-    [InlineData("the budget is 50000000", "remesh", "--edge-length", "1e-9")]
+    [InlineData("--feature-angle does not go with --laboratory", "remesh", "--laboratory", "--feature-angle", "30")]
+    [InlineData("--curvature-tolerance does not go with --laboratory", "remesh", "--laboratory", "--curvature-tolerance", "0.1")]
+    [InlineData("--crease-angle NaN: not in [0, 180]", "subdivide", "--crease-angle", "NaN")]
+    [InlineData("--crease-angle -5: not in [0, 180]", "subdivide", "--crease-angle", "-5")]
     [InlineData("--feature-angle 200: not in [0, 180]", "five-six-seven", "--feature-angle", "200")]
     [InlineData("--faces -5: not positive", "five-six-seven", "--faces", "-5")]
-    [InlineData("14 of 40 steps would make", "subdivide", "--steps", "40", "--scheme", "sqrt3")]
     public void BadOption_IsWrongUsageAndNamed(string message, string verb, params string[] options) => Assert.Contains(
         message,
         Run(2, [verb, Save(Models.Create("cube"), "in.obj"), Path.Combine(folder, "out.obj"), .. options]).GetProperty("error").GetProperty("message").GetString(),
         StringComparison.Ordinal);
 
+    [Theory]
+    [InlineData("at least 20 faces", "sphere", "five-six-seven", "--faces", "18")]
+    [InlineData("14 of 40 steps would make", "cube", "subdivide", "--steps", "40", "--scheme", "sqrt3")]
+    [InlineData("the budget is 50000000", "cube", "remesh", "--edge-length", "1e-9")]
+    [InlineData("f0 has 4 corners", "cube-quads", "five-six-seven")]
+    public void WhatTheMeshForbids_IsRefusedWithStatus1AndNothingWritten(string message, string model, string verb, params string[] options)
+    {
+        string output = Path.Combine(folder, "out.obj");
+        JsonElement error = Run(1, [verb, Save(Models.Create(model), "in.obj"), output, .. options]).GetProperty("error");
+        Assert.Equal("refused", error.GetProperty("kind").GetString());
+        Assert.Contains(message, error.GetProperty("message").GetString(), StringComparison.Ordinal);
+        Assert.False(File.Exists(output));
+    }
+
     [Fact]
-    public void FiveSixSeven_FewerFacesThanPossible_IsRefusedWithStatus1() =>
-        Assert.Contains(
-            "at least 20 faces",
-            Run(1, "five-six-seven", Save(Models.Create("sphere"), "in.obj"), Path.Combine(folder, "out.obj"), "--faces", "18").GetProperty("error").GetProperty("message").GetString(),
-            StringComparison.Ordinal);
+    public void FiveSixSeven_OfAMeshWithoutFaces_HasNothingToDo()
+    {
+        JsonElement result = Run(0, "five-six-seven", Save(new Mesh(), "in.off"), Path.Combine(folder, "out.off"));
+        Assert.Equal("nothing-to-do", result.GetProperty("stopReason").GetString());
+        Assert.Equal(0, result.GetProperty("hausdorff").GetDouble());
+    }
+
+    [Fact]
+    public void Remesh_RelativeLengthInTheLaboratory_IsTaken()
+    {
+        string input = Save(Models.Create("torus"), "in.obj"), output = Path.Combine(folder, "out.obj");
+        double mean = Run(0, "remesh", input, output, "--laboratory").GetProperty("edgeLength").GetDouble();
+        Assert.Equal(2 * mean, Run(0, "remesh", input, output, "--laboratory", "--relative", "2").GetProperty("edgeLength").GetDouble(), 1e-12);
+    }
 
     [Fact]
     public void Remesh_WrongUsage_HasStatus2() =>

@@ -85,7 +85,7 @@ public sealed class ShapeVerbsTests : IDisposable
         Assert.Equal("usage", Error(2, "subdivide", input, output, "--scheme", "cubic"));
         Assert.Equal("usage", Error(2, "subdivide", input, output, "--scheme", "sqrt3", "--limit"));
         Assert.Equal("usage", Error(2, "subdivide", input, output, "--scheme", "catmull-clark", "--steps", "-1"));
-        Assert.Equal("usage", Error(2, "subdivide", input, output, "--scheme", "catmull-clark", "--steps", "40"));
+        Assert.Equal("refused", Error(1, "subdivide", input, output, "--scheme", "catmull-clark", "--steps", "40"));
         Assert.False(File.Exists(output));
     }
 

@@ -170,11 +170,14 @@ public sealed class SimplifyVerbsTests : IDisposable
     [InlineData("--cell-size", "1")]
     [InlineData("--method", "clustering")]
     [InlineData("--method", "magic")]
-    public void Simplify_BadArguments_IsWrongUsage(string option, string value)
+    [InlineData("--faces", "100", "--ratio", "0.5")]
+    [InlineData("--method", "clustering", "--cells", "4", "--cell-size", "0.1")]
+    [InlineData("--method", "clustering", "--cells", "4", "--faces", "100")]
+    public void Simplify_BadArguments_IsWrongUsage(params string[] options)
     {
         string output = PathOf("small.obj");
 
-        Assert.Equal(2, Call("simplify", Save("bumpy-sphere"), output, option, value).Status);
+        Assert.Equal(2, Call(["simplify", Save("bumpy-sphere"), output, .. options]).Status);
 
         Assert.False(File.Exists(output));
     }

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using MeshLab.Editing;
+using MeshLab.Geometry;
 using MeshLab.Numerics;
 using MeshLab.Simplification;
 using MeshLab.Structure;
@@ -153,6 +154,27 @@ public class VertexClusteringTests
         foreach (Vector3D far in (Vector3D[])[new(3e6, 0, 0), new(0, 3e6, 0), new(0, 0, 3e6)])
             Assert.Throws<ArgumentException>(() => MeshBuilder.FromTriangles([default, new(1, 1, 1), far], [0, 1, 2]).ClusterVertices(new() { CellSize = 1 }));
         Assert.Throws<ArgumentException>(() => MeshBuilder.FromFaces(4, [0, 1, 2, 3]).ClusterVertices(new() { CellSize = 1 }));
+    }
+
+    [Fact]
+    public void ClusterVertices_Traits_AreTakenByPlace()
+    {
+        Mesh mesh = Shapes.Sheet(8);
+        VertexTrait<Vector3D> place = mesh.AddVertexTrait<Vector3D>("place", default, Blend.Linear);
+        FaceTrait<int> half = mesh.AddFaceTrait("half", 0);
+        foreach (Vertex v in mesh.Vertices)
+            place[v] = v.Position;
+        foreach (Face f in mesh.Faces)
+            half[f] = f.Barycenter.X > 0.5 ? 1 : 0;
+
+        Mesh result = mesh.ClusterVertices(new() { Cells = 4 }).Mesh;
+
+        Assert.True(result.TryGetVertexTrait("place", out VertexTrait<Vector3D>? places));
+        Assert.True(result.TryGetFaceTrait("half", out FaceTrait<int>? halves));
+        Assert.All(result.Vertices, v => Assert.Equal(0, Vector3D.Distance(v.Position, places[v]), 1e-12));
+        Assert.Contains(result.Faces, f => halves[f] == 1);
+        Assert.Contains(result.Faces, f => halves[f] == 0);
+        Assert.Empty(result.Validate());
     }
 
     [Fact]

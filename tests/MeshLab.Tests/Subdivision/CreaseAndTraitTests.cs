@@ -59,6 +59,8 @@ public class CreasesTests
         }
         Assert.Throws<ArgumentOutOfRangeException>(() => Creases.Set(cube, cube.Edges, -1));
         Assert.Throws<ArgumentOutOfRangeException>(() => Creases.Set(cube, cube.Edges, double.NaN));
+        Assert.Throws<ArgumentOutOfRangeException>(() => Creases.SetByAngle(cube, double.NaN));
+        Assert.Throws<ArgumentOutOfRangeException>(() => Creases.SetByAngle(cube, -0.1));
         Assert.Throws<ArgumentException>(() => Creases.Set(cube, Prisms.Cube().Edges));
     }
 
