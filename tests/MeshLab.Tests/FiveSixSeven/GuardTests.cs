@@ -29,6 +29,7 @@ public class GuardTests
 
     [Theory]
     [InlineData(0.2, true)] // 22.6° between the faces: both new ones turn by less than acos 0.9
+    [InlineData(0.277, false)] // old and new faces differ by 22°, but the new ones by 31°
     [InlineData(0.6, false)]
     public void AllowsFlip_Roof_DependsOnTheTurn(double drop, bool allowed)
     {
@@ -38,6 +39,28 @@ public class GuardTests
         Assert.Equal(allowed, guard.AllowsFlip(0, new(0.9, 0, drop + 0.01)));
         Assert.False(guard.AllowsFlip(0, new(0.9, 0, 0.01)));
         Assert.True(guard.AllowsFlip(0, GuardLevel.TopologyOnly));
+    }
+
+    [Fact]
+    public void AllowsFlip_FarFromTheInput_LooksAtTheNewEdgeAndBothFaces()
+    {
+        // The middle of the new edge sinks by 0.196, the centroids by two thirds of it.
+        Assert.False(Of(Roof(1, 0.2)).AllowsFlip(0, new(0.9, 0, 0.15)));
+        // An input that lacks one half of what the mesh has: first the left one, then the right one; the diagonals do not cross at right angles, so nothing is flat.
+        foreach (int side in new[] { -1, 1 })
+        {
+            Mesh half = MeshBuilder.FromTriangles([new(0, -2, 0), new(side, 0, 0), new(0, 2, 0)], side > 0 ? [0, 1, 2] : [0, 2, 1]);
+            Mesh saddle = Roof(1, 0.01);
+            Assert.False(Of(saddle, half).AllowsFlip(0, new(0.9, 0, 0.1)));
+            Assert.True(Of(saddle, half).AllowsFlip(0, new(0.9, 0, 0.4)));
+        }
+    }
+
+    [Fact]
+    public void AllowsFlip_NoAreaBeforeAndAfter_Refuses()
+    {
+        Mesh mesh = MeshBuilder.FromTriangles([new(-1, 0, 0), new(1, 0, 0), new(0.1, 0, 0), new(-0.1, 0, 0)], [0, 1, 2, 1, 0, 3]);
+        Assert.False(Of(mesh).AllowsFlip(0, new(-1, 0, double.PositiveInfinity)));
     }
 
     [Theory]
@@ -65,6 +88,8 @@ public class GuardTests
         Assert.False(guard.AllowsSplit(0, new(0.99, 0, 0), new(0.9, 0.2, 0.002)));
         Assert.False(guard.AllowsSplit(0, new(0, 0, 2), new(0.9, 0, double.PositiveInfinity)));
         Assert.True(guard.AllowsSplit(0, new(0, 0, 2), GuardLevel.TopologyOnly));
+        // Halves of a regular triangle have quality ¾: a split may take half of what there was, whatever the least.
+        Assert.True(Of(Roof(Math.Sqrt(3), 0)).AllowsSplit(0, default, new(0.9, 0.9, 0.002)));
     }
 
     [Fact]
@@ -123,6 +148,25 @@ public class GuardTests
         Vector3D above = inner.Target.Position + new Vector3D(0, 0, 0.01);
         Assert.False(flat.AllowsCollapse(inner.Index, above, new(0.5, 0.001, 0.005)));
         Assert.True(flat.AllowsCollapse(inner.Index, above, new(0.5, 0.001, 0.02)));
+    }
+
+    [Fact]
+    public void AllowsCollapse_Bump_SeesFacesAndEdgesOfBothStars()
+    {
+        // One vertex of a flat grid raised. Merging a neighbour into it at its height lifts the neighbour's other faces off the input, and merging it into
+        // the neighbour cuts the bump off.
+        Mesh grid = Models.Triangulated(Models.QuadGrid(6, 6));
+        HalfEdge h = grid.HalfEdges.First(g => !g.Source.IsBoundary && !g.Target.IsBoundary);
+        h.Target.Position += new Vector3D(0, 0, 0.05);
+        Guard guard = Of(grid);
+        // No planes, so that only distances count.
+        Array.Clear(guard.Mesh.Quadrics);
+        GuardLevel near = new(-1, 0, 0.012), far = new(-1, 0, 0.06);
+        Assert.False(guard.AllowsCollapse(h.Index, h.Target.Position, near));
+        Assert.True(guard.AllowsCollapse(h.Index, h.Target.Position, far));
+        Assert.False(guard.AllowsCollapse(h.Index, h.Source.Position, near));
+        Assert.False(guard.AllowsCollapse(h.Twin.Index, h.Source.Position, near));
+        Assert.True(guard.AllowsCollapse(h.Twin.Index, h.Source.Position, far));
     }
 
     [Fact]
