@@ -10,7 +10,7 @@ namespace MeshLab.Simplification;
 /// same on every run, machine and number of threads. The work is done on a private copy in a box of unit diagonal: a call that is cancelled or throws leaves the
 /// mesh as it was (textbook mode works on the mesh itself and leaves it valid, simplified so far). At the end the mesh given is replaced by the result without gaps, its elements in the old order; handles from before are void.
 /// Topology (components, boundary loops, Euler characteristic) never changes. Vertex traits are blended by where the new vertex lies along the edge, corner traits
-/// likewise on either side of a seam, faces keep their traits and labels.
+/// likewise on either side of a seam (in textbook mode only where edges merge), faces keep their traits and labels.
 /// Cost: O(n log n) with a small constant; memory of fast mode about twice that of the mesh, beside the mesh itself.
 /// </remarks>
 public static class QuadricErrorMetric
