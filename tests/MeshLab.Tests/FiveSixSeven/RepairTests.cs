@@ -96,7 +96,9 @@ public class RepairTests
     [Theory]
     [InlineData(480)]
     [InlineData(600)]
+    [InlineData(638)]
     [InlineData(640)]
+    [InlineData(642)]
     [InlineData(700)]
     [InlineData(900)]
     public void Approach_RegularTorus_ReachesTheCountWithoutBadVertices(int target)
@@ -206,13 +208,13 @@ public class RepairTests
     [InlineData(false)]
     public void Approach_FewerFaces_TakesThemWhereItIsFlatAndFine(bool wavy)
     {
-        // Two halves: one with waves and one flat, of equal edges; or both flat, one with columns half as wide.
+        // Two halves: one with waves and slightly shorter edges, one flat; or both flat, one with columns twice as wide.
         Mesh grid = Models.Triangulated(Models.QuadGrid(24, 24));
         foreach (Vertex v in grid.Vertices)
         {
             double x = v.Position.X;
             v.Position = wavy
-                ? v.Position + new Vector3D(0, 0, x > 0.5 ? 0.01 * Math.Sin(50 * x) * Math.Sin(50 * v.Position.Y) : 0)
+                ? new Vector3D(x > 0.5 ? 0.5 + 0.9 * (x - 0.5) : x, v.Position.Y, x > 0.5 ? 0.015 * Math.Sin(50 * x) * Math.Sin(50 * v.Position.Y) : 0)
                 : v.Position with { X = x > 0.5 ? 0.5 + 2 * (x - 0.5) : x };
         }
         FiveSixSevenMeshing.Tools tools = ToolsFor(grid, 900);
