@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using MeshLab.Numerics;
 
 namespace MeshLab.Simplification;
@@ -30,6 +31,24 @@ internal interface IEdgeCost
     double ReleaseKey(int edge);
 }
 
+/// <summary>Costs as the queue compares them: so coarsely that rounding does not decide. Two edges of a symmetric or flat part cost the same but for the last
+/// bits, and those depend on where the model lies and how large it is; their order is that of their indices.</summary>
+internal static class CostKey
+{
+    /// <summary>What a mean square is off by through rounding, in working units: places are up to ½, and their squares have 53 bits.</summary>
+    public const double Noise = 1e-15;
+
+    /// <summary>All but the ten leading bits of the fraction.</summary>
+    private const long Dropped = (1L << 42) - 1;
+
+    /// <summary>The key of a cost: at most a thousandth below it; 0 where it says nothing.</summary>
+    /// <param name="cost">The cost.</param>
+    /// <param name="weight">The weight of the planes it is a sum over.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Of(double cost, double weight) =>
+        cost > Noise * weight ? BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(cost) & ~Dropped) : 0;
+}
+
 /// <summary>What all loops of one simplification share.</summary>
 internal sealed record LoopSettings(bool AllowFlips, double MaxMeanSquare, CollapseLog? Log);
 
@@ -51,6 +70,7 @@ internal sealed class CollapseLoop<TCost>
     private int pendingEdge = -1;
     private Vector3D pendingPosition;
     private double pendingWeight;
+    private double pendingCost;
     private double pendingMeanSquare;
 
     public CollapseLoop(
@@ -132,7 +152,7 @@ internal sealed class CollapseLoop<TCost>
                 continue;
             if (cost.IsStale(edge))
             {
-                double key = cost.Evaluate(edge, out _, out _);
+                double key = CostKey.Of(cost.Evaluate(edge, out _, out double weight), weight);
                 keys[edge] = key;
                 cost.MarkFresh(edge, stamp);
                 Queue.InsertUnsorted(edge, key);
@@ -152,7 +172,8 @@ internal sealed class CollapseLoop<TCost>
         }
         if (cost.IsStale(edge))
         {
-            double key = cost.Evaluate(edge, out pendingPosition, out pendingWeight);
+            pendingCost = cost.Evaluate(edge, out pendingPosition, out pendingWeight);
+            double key = CostKey.Of(pendingCost, pendingWeight);
             pendingEdge = edge;
             mesh.Keys[edge] = key;
             cost.MarkFresh(edge, stamp);
@@ -176,8 +197,10 @@ internal sealed class CollapseLoop<TCost>
         if (!mesh.LinkConditionHolds(h, ++stamp))
             return EdgeState.RefusedByTopology;
         if (pendingEdge != edge)
-            cost.Evaluate(edge, out pendingPosition, out pendingWeight);
+            pendingCost = cost.Evaluate(edge, out pendingPosition, out pendingWeight);
         pendingEdge = -1;
+        // Out of the queue: from here on the cost itself is of interest.
+        mesh.Keys[edge] = pendingCost;
         pendingMeanSquare = cost.MeanSquare(edge, pendingPosition, pendingWeight);
         if (pendingMeanSquare > settings.MaxMeanSquare)
             return EdgeState.RefusedByError;

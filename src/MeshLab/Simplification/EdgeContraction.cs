@@ -126,7 +126,7 @@ internal sealed class EdgeContraction
                 if (states[e] == EdgeState.Deleted)
                     continue;
                 states[e] = EdgeState.Clean;
-                keys[e] = cost.Evaluate(e, out _, out _);
+                keys[e] = CostKey.Of(cost.Evaluate(e, out _, out double weight), weight);
             }
         });
         double largest = 0;

@@ -33,7 +33,7 @@ internal readonly struct Placement(WorkingMesh mesh, VertexPlacement placement)
         else if (placement == VertexPlacement.Endpoint)
         {
             double costA = quadric.At(a), costB = quadric.At(b);
-            (position, cost) = costA < costB ? (a, costA) : (b, costB);
+            (position, cost) = costA < costB - Noise(in quadric) ? (a, costA) : (b, costB);
         }
         else if (placement == VertexPlacement.Segment || freedom == Freedom.OnSegment)
         {
@@ -53,17 +53,21 @@ internal readonly struct Placement(WorkingMesh mesh, VertexPlacement placement)
     {
         position = (a + b) * 0.5;
         double cost = quadric.At(position), costA = quadric.At(a), costB = quadric.At(b);
-        if (costA < cost)
+        double noise = Noise(in quadric);
+        if (costA < cost - noise)
             (cost, position) = (costA, a);
-        if (costB < cost)
+        if (costB < cost - noise)
             (cost, position) = (costB, b);
         // Where planes meet in a line, a point along the edge may be better still.
         Vector3D along = Vector3D.Lerp(a, b, quadric.MinimizeOnSegment(a, b));
         double costAlong = quadric.At(along);
-        if (costAlong < cost)
+        if (costAlong < cost - noise)
             (cost, position) = (costAlong, along);
         return cost;
     }
+
+    /// <summary>By less than this no place is better than another: the midpoint is taken before the ends, and the target before the source.</summary>
+    private static double Noise(ref readonly Quadric quadric) => CostKey.Noise * quadric.Weight;
 }
 
 /// <summary>Where the constraints let the vertex of a contracted edge lie.</summary>

@@ -39,5 +39,5 @@ internal readonly struct SummedQuadrics(WorkingMesh mesh, UncheckedArray<Quadric
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void MarkStale(int edge) => states[edge] = EdgeState.Stale;
 
-    public double ReleaseKey(int edge) => Evaluate(edge, out _, out _);
+    public double ReleaseKey(int edge) => CostKey.Of(Evaluate(edge, out _, out double weight), weight);
 }

@@ -48,9 +48,17 @@ internal sealed class WorkingMesh
     /// <summary>A face may turn by acos of this at most; squared, since cosines are compared squared.</summary>
     private const double LeastTurnCosineSquared = 0.05 * 0.05;
 
+    /// <summary>A face whose area shrinks to the root of this has none left, and a normal of rounding errors.</summary>
+    private const double NoArea = 1e-14;
+
     /// <summary>As <see cref="Mesh.Outgoing"/> marks a deleted vertex.</summary>
     public const int DeletedVertex = -2;
 
+    /// <summary>Numbers from 2²² to 2²³ are multiples of 2⁻³⁰.</summary>
+    private const double RoundingShift = 3 << 21;
+
+    private readonly Vector3D lowest;
+    private readonly Vector3D half;
     private UncheckedArray<int> marks;
 
     /// <summary>Per vertex, the input vertex that it lies on; −1 if on none.</summary>
@@ -59,7 +67,8 @@ internal sealed class WorkingMesh
     public WorkingMesh(Mesh mesh)
     {
         BoundingBox box = mesh.BoundingBox;
-        Center = box.Center;
+        lowest = box.Min;
+        half = box.Size / 2;
         Scale = box.Diagonal > 0 && double.IsFinite(1 / box.Diagonal) ? box.Diagonal : 1;
         Rows = UncheckedArray<HalfEdgeRow>.Uninitialized(mesh.HalfEdgeSlots);
         Positions = UncheckedArray<Vector3D>.Uninitialized(mesh.VertexSlots);
@@ -106,16 +115,23 @@ internal sealed class WorkingMesh
 
     public int FaceCount { get; set; }
 
-    public Vector3D Center { get; }
-
     /// <summary>Model units per working unit.</summary>
     public double Scale { get; }
 
     public int EdgeSlots => States.Length;
 
-    public Vector3D Normalized(Vector3D position) => (position - Center) / Scale;
+    /// <summary>A position in working units, rounded to 2⁻³⁰: what the last bits of a model's coordinates are depends on its size, and costs that are
+    /// equal but for them would be in another order.</summary>
+    public Vector3D Normalized(Vector3D position)
+    {
+        // The lowest corner first: far from the origin this difference is exact, that from the center is not.
+        Vector3D p = (position - lowest - half) / Scale;
+        return new(Rounded(p.X), Rounded(p.Y), Rounded(p.Z));
 
-    public Vector3D Restored(Vector3D position) => position * Scale + Center;
+        static double Rounded(double x) => x + RoundingShift - RoundingShift;
+    }
+
+    public Vector3D Restored(Vector3D position) => position * Scale + half + lowest;
 
     /// <summary>The input vertex that a vertex lies on; −1 if on none.</summary>
     public int OriginOf(int vertex) => origins[vertex];
@@ -224,8 +240,8 @@ internal sealed class WorkingMesh
             // A face without area has no side to keep.
             if (oldSquared == 0)
                 continue;
-            double cosine = Vector3D.Dot(oldNormal, newNormal);
-            if (cosine <= 0 || cosine * cosine < LeastTurnCosineSquared * oldSquared * newNormal.LengthSquared)
+            double cosine = Vector3D.Dot(oldNormal, newNormal), newSquared = newNormal.LengthSquared;
+            if (cosine <= 0 || cosine * cosine < LeastTurnCosineSquared * oldSquared * newSquared || newSquared < NoArea * oldSquared)
                 return false;
         }
         return true;
