@@ -38,15 +38,19 @@ internal static class CostKey
     /// <summary>What a mean square is off by through rounding, in working units: places are up to ½, and their squares have 53 bits.</summary>
     public const double Noise = 1e-15;
 
-    /// <summary>All but the ten leading bits of the fraction.</summary>
-    private const long Dropped = (1L << 42) - 1;
+    /// <summary>All but the twelve leading bits of the fraction.</summary>
+    private const long Dropped = (1L << 40) - 1;
 
-    /// <summary>The key of a cost: at most a thousandth below it; 0 where it says nothing.</summary>
+    /// <summary>The key of a cost: at most a four-thousandth below it, but never below what rounding makes of it. So in flat parts, where costs say nothing, the
+    /// edges of small faces come first.</summary>
     /// <param name="cost">The cost.</param>
     /// <param name="weight">The weight of the planes it is a sum over.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double Of(double cost, double weight) =>
-        cost > Noise * weight ? BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(cost) & ~Dropped) : 0;
+    public static double Of(double cost, double weight)
+    {
+        double key = Math.Max(cost, Noise * weight);
+        return BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(key) & ~Dropped);
+    }
 }
 
 /// <summary>What all loops of one simplification share.</summary>

@@ -54,8 +54,8 @@ internal sealed class WorkingMesh
     /// <summary>As <see cref="Mesh.Outgoing"/> marks a deleted vertex.</summary>
     public const int DeletedVertex = -2;
 
-    /// <summary>Numbers from 2²² to 2²³ are multiples of 2⁻³⁰.</summary>
-    private const double RoundingShift = 3 << 21;
+    /// <summary>Numbers from 2¹⁴ to 2¹⁵ are multiples of 2⁻³⁸.</summary>
+    private const double RoundingShift = 3 << 13;
 
     private readonly Vector3D lowest;
     private readonly Vector3D half;
@@ -120,7 +120,7 @@ internal sealed class WorkingMesh
 
     public int EdgeSlots => States.Length;
 
-    /// <summary>A position in working units, rounded to 2⁻³⁰: what the last bits of a model's coordinates are depends on its size, and costs that are
+    /// <summary>A position in working units, rounded to 2⁻³⁸: what the last bits of a model's coordinates are depends on its size, and costs that are
     /// equal but for them would be in another order.</summary>
     public Vector3D Normalized(Vector3D position)
     {
