@@ -1,3 +1,4 @@
+using MeshLab.Geometry;
 using MeshLab.Numerics;
 using MeshLab.Spatial;
 using MeshLab.Structure;
@@ -108,7 +109,7 @@ public static class FiveSixSevenMeshing
     {
         var frame = UnitFrame.Of(input);
         WorkMesh work = WorkMesh.From(frame.ToUnit(input));
-        work.Trace = StepTrace.Into(options.Trace);
+        work.Trace = StepTrace.Into(options.Trace, frame.FromUnit);
         InputSurface surface = SurfaceOf(work, options);
 
         if (work.MeanQuality() < PoorQuality || Creases.IsCrumpled(work))
@@ -136,7 +137,10 @@ public static class FiveSixSevenMeshing
     internal static FiveSixSevenResult Finish(
         WorkMesh work, UnitFrame frame, Mesh input, IReadOnlyDictionary<int, int> before, int target, long walks, int level, bool lastResort)
     {
-        Mesh result = frame.FromUnit(work, input);
+        (Vector3D[] positions, int[] corners, int[] slots) = work.Export();
+        for (int i = 0; i < positions.Length; i++)
+            positions[i] = frame.FromUnit(positions[i], input, slots[i]);
+        Mesh result = MeshBuilder.FromTriangles(positions, corners);
         return new(result, before, InnerValences(result), target, walks, level, lastResort, Stop(work, target), work.Penalty == 0);
     }
 

@@ -1,3 +1,4 @@
+using MeshLab.Geometry;
 using MeshLab.Structure;
 
 namespace MeshLab.FiveSixSeven;
@@ -14,7 +15,7 @@ internal static class TextbookEngine
         InputSurface surface = FiveSixSevenMeshing.SurfaceOf(original, options);
         MarkCreases(mesh, original);
 
-        var trace = StepTrace.Into(options.Trace);
+        var trace = StepTrace.Into(options.Trace, frame.FromUnit);
         using (OperationTrace.Of(mesh, trace))
         {
             mesh.RaiseValenceThree(null, cancellationToken);

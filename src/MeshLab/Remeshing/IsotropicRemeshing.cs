@@ -69,13 +69,17 @@ public static class IsotropicRemeshing
             input = mesh.Clone();
             input.Compact();
         }
-        double length = options.EdgeLength ?? options.RelativeLength * input.MeanEdgeLength;
-        if (input.Faces.Count == 0 || !(length > 0))
-            return new(input.Clone(), RemeshingStop.NothingToDo, length, 0, 0, 0, 0, 0, 0);
+        double asked = options.EdgeLength ?? options.RelativeLength * input.MeanEdgeLength;
+        if (input.Faces.Count == 0 || !(asked > 0))
+            return new(input.Clone(), RemeshingStop.NothingToDo, asked, 0, 0, 0, 0, 0, 0);
 
-        if (RemeshingOptions.BeyondBudget(input, length, options.FaceBudget) is { } beyond)
+        if (RemeshingOptions.BeyondBudget(input, asked, options.FaceBudget) is { } beyond)
             throw new ArgumentException(beyond, nameof(options));
-        var surface = new RemeshSurface(input) { Trace = StepTrace.Into(options.Trace) };
+        Mesh model = input;
+        var frame = UnitFrame.Of(model);
+        input = frame.ToUnit(model);
+        double length = options.EdgeLength is double given ? given / frame.Scale : options.RelativeLength * input.MeanEdgeLength;
+        var surface = new RemeshSurface(input) { Trace = StepTrace.Into(options.Trace, frame.FromUnit) };
         FeatureLines lines = FeatureLines.Mark(input, surface, options.FeatureAngle, length);
         StartOnInput(surface, input);
         double[] sizes = SizingField.Of(input, options, length * InnerLength);
@@ -113,9 +117,9 @@ public static class IsotropicRemeshing
                 progress?.Report((pass + share) / options.Passes);
             }
         }
-        Mesh result = surface.ToMesh();
-        result.TakeTraitsFrom(input, cancellationToken);
-        return new(result, RemeshingStop.PassesDone, length, options.Passes, lengths.Splits, lengths.Collapses, flips.Flips, lines.FeatureEdges, lines.Corners);
+        Mesh result = surface.ToMesh((place, vertex) => frame.FromUnit(place, model, vertex));
+        result.TakeTraitsFrom(model, cancellationToken);
+        return new(result, RemeshingStop.PassesDone, asked, options.Passes, lengths.Splits, lengths.Collapses, flips.Flips, lines.FeatureEdges, lines.Corners);
     }
 
     // Smooth, then back to the surface or the line: reads the old positions, writes new ones.

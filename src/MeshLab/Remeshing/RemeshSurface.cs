@@ -293,7 +293,8 @@ internal sealed class RemeshSurface
     }
 
     /// <summary>The surface as a mesh, without gaps: vertices and faces in slot order.</summary>
-    public Mesh ToMesh()
+    /// <param name="place">Where a place of a vertex is in the mesh, if that has other coordinates.</param>
+    public Mesh ToMesh(Func<Vector3D, int, Vector3D>? place = null)
     {
         var number = new int[VertexSlots];
         var positions = new List<Vector3D>(VertexSlots);
@@ -301,7 +302,7 @@ internal sealed class RemeshSurface
         {
             number[v] = positions.Count;
             if (IsLiveVertex(v))
-                positions.Add(Positions[v]);
+                positions.Add(place is null ? Positions[v] : place(Positions[v], v));
         }
         var corners = new List<int>(3 * FaceSlots);
         for (int f = 0; f < FaceSlots; f++)

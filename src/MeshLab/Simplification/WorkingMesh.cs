@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using MeshLab.Geometry;
 using MeshLab.Numerics;
 using MeshLab.Structure;
 
@@ -54,11 +55,7 @@ internal sealed class WorkingMesh
     /// <summary>As <see cref="Mesh.Outgoing"/> marks a deleted vertex.</summary>
     public const int DeletedVertex = -2;
 
-    /// <summary>Numbers from 2¹⁴ to 2¹⁵ are multiples of 2⁻³⁸.</summary>
-    private const double RoundingShift = 3 << 13;
-
-    private readonly Vector3D lowest;
-    private readonly Vector3D half;
+    private readonly UnitFrame frame;
     private UncheckedArray<int> marks;
 
     /// <summary>Per vertex, the input vertex that it lies on; −1 if on none.</summary>
@@ -66,10 +63,7 @@ internal sealed class WorkingMesh
 
     public WorkingMesh(Mesh mesh)
     {
-        BoundingBox box = mesh.BoundingBox;
-        lowest = box.Min;
-        half = box.Size / 2;
-        Scale = box.Diagonal > 0 && double.IsFinite(1 / box.Diagonal) ? box.Diagonal : 1;
+        frame = UnitFrame.Of(mesh);
         Rows = UncheckedArray<HalfEdgeRow>.Uninitialized(mesh.HalfEdgeSlots);
         Positions = UncheckedArray<Vector3D>.Uninitialized(mesh.VertexSlots);
         Outgoing = mesh.Outgoing.ToArray();
@@ -116,22 +110,14 @@ internal sealed class WorkingMesh
     public int FaceCount { get; set; }
 
     /// <summary>Model units per working unit.</summary>
-    public double Scale { get; }
+    public double Scale => frame.Scale;
 
     public int EdgeSlots => States.Length;
 
-    /// <summary>A position in working units, rounded to 2⁻³⁸: what the last bits of a model's coordinates are depends on its size, and costs that are
-    /// equal but for them would be in another order.</summary>
-    public Vector3D Normalized(Vector3D position)
-    {
-        // The lowest corner first: far from the origin this difference is exact, that from the center is not.
-        Vector3D p = (position - lowest - half) / Scale;
-        return new(Rounded(p.X), Rounded(p.Y), Rounded(p.Z));
+    /// <summary>A position in working units.</summary>
+    public Vector3D Normalized(Vector3D position) => frame.ToUnit(position);
 
-        static double Rounded(double x) => x + RoundingShift - RoundingShift;
-    }
-
-    public Vector3D Restored(Vector3D position) => position * Scale + half + lowest;
+    public Vector3D Restored(Vector3D position) => frame.FromUnit(position);
 
     /// <summary>The input vertex that a vertex lies on; −1 if on none.</summary>
     public int OriginOf(int vertex) => origins[vertex];

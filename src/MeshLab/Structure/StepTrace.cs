@@ -21,10 +21,16 @@ internal sealed class StepTrace
     private int step;
     private ulong hash = 14695981039346656037;
 
-    private StepTrace(TextWriter writer) => this.writer = writer;
+    private readonly Func<Vector3D, Vector3D>? place;
+
+    private StepTrace(TextWriter writer, Func<Vector3D, Vector3D>? place) => (this.writer, this.place) = (writer, place);
 
     /// <summary>A trace into a writer; none without one.</summary>
-    public static StepTrace? Into(TextWriter? writer) => writer is null ? null : new(writer);
+    /// <param name="writer">The writer.</param>
+    /// <param name="place">From coordinates of the work to those of the model, if they differ.</param>
+    public static StepTrace? Into(TextWriter? writer, Func<Vector3D, Vector3D>? place = null) => writer is null ? null : new(writer, place);
+
+    private Vector3D Placed(Vector3D p) => place is null ? p : place(p);
 
     /// <summary>An edge got other ends.</summary>
     public void Flip(int edge, int from, int to) => Begin("flip").Add("edge", edge).Add("vertices", [from, to]).End();
@@ -70,8 +76,9 @@ internal sealed class StepTrace
         line.Append(",\"removed\":[").AppendJoin(',', record.Removed.Select(r => $"\"{Name(r.Kind, r.Index)}\"")).Append(']');
         string comma = "";
         line.Append(",\"moved\":[");
-        foreach ((int vertex, _, Vector3D p) in record.Moves)
+        foreach ((int vertex, _, Vector3D to) in record.Moves)
         {
+            Vector3D p = Placed(to);
             line.Append(CultureInfo.InvariantCulture, $"{comma}[{vertex},{p.X:R},{p.Y:R},{p.Z:R}]");
             comma = ",";
         }
@@ -118,8 +125,9 @@ internal sealed class StepTrace
         return this;
     }
 
-    private StepTrace Add(string name, Vector3D p)
+    private StepTrace Add(string name, Vector3D position)
     {
+        Vector3D p = Placed(position);
         line.Append(CultureInfo.InvariantCulture, $",\"{name}\":[{p.X:R},{p.Y:R},{p.Z:R}]");
         return this;
     }

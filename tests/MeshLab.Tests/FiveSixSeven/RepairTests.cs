@@ -342,19 +342,4 @@ public class RepairTests
             Assert.DoesNotContain(color, v => mesh.Vertices[v].Neighbors.Any(w => color.Contains(w.Index)));
         Assert.All(colors, color => Assert.Equal(color.Order(), color));
     }
-
-    [Fact]
-    public void UnitFrame_ThereAndBack_GivesUnmovedVerticesTheirBits()
-    {
-        Mesh mesh = Models.Moved(Models.Sphere(8, 10), 1e6 / 3, new(1e7, 0.1, -3));
-        UnitFrame frame = UnitFrame.Of(mesh);
-        Mesh unit = frame.ToUnit(mesh);
-        Assert.Equal(1, unit.BoundingBox.Diagonal, 12);
-        Assert.Equal(0, unit.BoundingBox.Center.Length, 9);
-        WorkMesh work = WorkMesh.From(unit);
-        Vector3D moved = work.Positions[3] += new Vector3D(0.01, 0, 0);
-        Mesh back = frame.FromUnit(work, mesh);
-        for (int v = 0; v < mesh.VertexSlots; v++)
-            Assert.Equal(v == 3 ? moved * frame.Diagonal + frame.Center : mesh.Positions[v], back.Positions[v]);
-    }
 }
