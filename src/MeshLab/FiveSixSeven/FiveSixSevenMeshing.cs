@@ -25,14 +25,13 @@ public static class FiveSixSevenMeshing
         /// <param name="options">How; the defaults if not given.</param>
         /// <param name="progress">From 0 to 1.</param>
         /// <param name="cancellationToken">Ends the work.</param>
-        /// <exception cref="ArgumentException">A face is not a triangle, or fewer faces are asked for than a 5-6-7 mesh of this topology can have.</exception>
+        /// <exception cref="ArgumentException">A face is not a triangle (it is named), or fewer faces are asked for than a 5-6-7 mesh of this topology can have, or more than the budget.</exception>
         /// <exception cref="OperationCanceledException">The work was cancelled.</exception>
         public FiveSixSevenResult ToFiveSixSeven(
             FiveSixSevenOptions? options = null, IProgress<double>? progress = null, CancellationToken cancellationToken = default)
         {
             ArgumentNullException.ThrowIfNull(mesh);
-            if (!mesh.IsTriangleMesh)
-                throw new ArgumentException("A 5-6-7 mesh is made of triangles; cut the polygons first.");
+            mesh.RequireTriangles(nameof(mesh));
             options ??= new();
             IReadOnlyDictionary<int, int> before = InnerValences(mesh);
             if (mesh.Faces.Count == 0)
@@ -99,6 +98,8 @@ public static class FiveSixSevenMeshing
         }
         if (asked < smallest)
             throw new ArgumentException($"A 5-6-7 mesh of this topology has at least {smallest} faces; {asked} are asked for.", nameof(options));
+        if (asked > options.FaceBudget)
+            throw new ArgumentException($"{asked} faces are asked for, and {options.FaceBudget} may be made ({nameof(options.FaceBudget)}).", nameof(options));
         if (isOneSphere && asked is SmallestCounts.Impossible)
             throw new ArgumentException($"There is no closed 5-6-7 mesh of genus 0 with {asked} faces.", nameof(options));
         return asked;
@@ -127,7 +128,7 @@ public static class FiveSixSevenMeshing
         progress?.Report(0.5);
 
         Tools final = ToolsFor(work, surface, target, cancellationToken);
-        ApproachCount(final, target);
+        ApproachCount(final, target, cancellationToken);
         progress?.Report(0.6);
         if (options.ImproveShape)
             ImproveShape(final, target, progress);
@@ -198,7 +199,7 @@ public static class FiveSixSevenMeshing
         return level;
     }
 
-    internal static void ApproachCount(Tools tools, int target)
+    internal static void ApproachCount(Tools tools, int target, CancellationToken cancellationToken)
     {
         (GuardLevel Level, int Rounds)[] schedule =
         [
@@ -209,6 +210,7 @@ public static class FiveSixSevenMeshing
             (new(0, 1e-4, 0.009), 6),
             (new(-0.5, 0, double.PositiveInfinity), 6),
         ];
+        Refinement.TowardsCount(tools.Guard, target, cancellationToken);
         for (int i = 0; i < schedule.Length; i++)
         {
             // The first level is always tried; the rest only while the count is far off.

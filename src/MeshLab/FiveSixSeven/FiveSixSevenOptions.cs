@@ -29,6 +29,18 @@ public sealed record FiveSixSevenOptions
         }
     }
 
+    /// <summary>The most faces that may be asked for.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not positive.</exception>
+    public int FaceBudget
+    {
+        get;
+        init
+        {
+            ArgumentOutOfRangeException.ThrowIfNegativeOrZero(value);
+            field = value;
+        }
+    } = 50_000_000;
+
     /// <summary>Edges with a larger dihedral angle than this are creases and stay, in radians. π for none. A surface that is folded back on itself at more than a
     /// twentieth of its edges has none.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The angle is not between 0 and π.</exception>

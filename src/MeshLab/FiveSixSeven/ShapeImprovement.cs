@@ -13,6 +13,9 @@ internal sealed class ShapeImprovement(Guard guard, FaceCount faceCount, Cancell
     // A pass of remeshing that splits and collapses fewer edges than this share of the faces has nothing left to do.
     private const double FewChanges = 0.1;
 
+    // Needles have long edges on little area: splitting them all to the length of even triangles may take any number of faces.
+    private const long MostGrowth = 20;
+
     private int[] hints = [];
 
     /// <summary>Moves every vertex towards the area-weighted mean of its faces' centroids, in its tangent plane, and back onto the input; never where
@@ -194,10 +197,13 @@ internal sealed class ShapeImprovement(Guard guard, FaceCount faceCount, Cancell
     public void Remesh(int targetFaces, int passes, in GuardLevel level)
     {
         double length = Math.Sqrt(4 * guard.Surface.Area / (Math.Sqrt(3) * targetFaces));
+        // A surface without area has no even triangles.
+        if (!(length > 0))
+            return;
         Flip(level, 4, FlipRule.Quality);
         for (int pass = 0; pass < passes; pass++)
         {
-            int changes = SplitLong(length * 4 / 3, level) + CollapseShort(length * 4 / 5, length * 4 / 3, level);
+            int changes = SplitLong(length * 4 / 3, level, MostGrowth * targetFaces) + CollapseShort(length * 4 / 5, length * 4 / 3, level);
             Flip(level, 4, FlipRule.Regularity);
             Flip(new(0.98, 0, level.Tolerance), 2, FlipRule.Quality);
             Smooth(3, 0.7, 0.6, level);
@@ -207,8 +213,8 @@ internal sealed class ShapeImprovement(Guard guard, FaceCount faceCount, Cancell
         }
     }
 
-    /// <summary>Splits edges above a length, longest first, in rounds; the number of splits.</summary>
-    private int SplitLong(double limit, in GuardLevel level)
+    /// <summary>Splits edges above a length, longest first, in rounds, up to a number of faces; the number of splits.</summary>
+    private int SplitLong(double limit, in GuardLevel level, long mostFaces)
     {
         const int Rounds = 12;
         int splits = 0;
@@ -217,13 +223,16 @@ internal sealed class ShapeImprovement(Guard guard, FaceCount faceCount, Cancell
             int[] order = faceCount.Sorted(e => -mesh.LengthSquared(e), -limit * limit);
             foreach (int e in order)
             {
+                if (mesh.LiveFaces >= mostFaces)
+                    return splits;
+                cancellationToken.ThrowIfCancellationRequested();
+                splits++;
                 int h = 2 * e;
                 Vector3D p = guard.SplitPosition(h);
                 if (!guard.AllowsSplit(h, p, new(0.5, 0, 0)))
                     p = (mesh.Positions[mesh.Target[h]] + mesh.Positions[mesh.Source(h)]) * 0.5;
                 mesh.Split(h, p);
             }
-            splits += order.Length;
             Flip(level, 2, FlipRule.Quality);
             if (order.Length == 0)
                 break;

@@ -37,7 +37,7 @@ internal static class TextbookEngine
         work.Trace = trace;
         TakeCreases(mesh, work);
         FiveSixSevenMeshing.Tools tools = FiveSixSevenMeshing.ToolsFor(work, surface, target, cancellationToken);
-        FiveSixSevenMeshing.ApproachCount(tools, target);
+        FiveSixSevenMeshing.ApproachCount(tools, target, cancellationToken);
         if (options.ImproveShape)
             FiveSixSevenMeshing.ImproveShape(tools, target, progress);
         return FiveSixSevenMeshing.Finish(work, frame, input, before, target, tools.Walk.Walks, 0, false);

@@ -4,11 +4,11 @@ using MeshLab.Structure;
 namespace MeshLab.Geometry;
 
 /// <summary>Coordinates in which a bounding box has its centre at the origin and a diagonal of length 1, to work in where neither place nor size of a model may matter.</summary>
-/// <remarks>Places are rounded to 2⁻³⁸. The last bits of a model's coordinates depend on its units; choices between things that are equal but for them would too.</remarks>
+/// <remarks>Places are rounded to 2⁻³⁶. The last bits of a model's coordinates depend on its units; choices between things that are equal but for them would too.</remarks>
 internal readonly struct UnitFrame
 {
-    /// <summary>Numbers from 2¹⁴ to 2¹⁵ are multiples of 2⁻³⁸.</summary>
-    private const double RoundingShift = 3 << 13;
+    /// <summary>Numbers from 2¹⁶ to 2¹⁷ are multiples of 2⁻³⁶.</summary>
+    private const double RoundingShift = 3 << 15;
 
     private readonly Vector3D lowest;
     private readonly Vector3D half;
@@ -17,7 +17,17 @@ internal readonly struct UnitFrame
     {
         lowest = box.Min;
         half = box.Size / 2;
-        Scale = box.Diagonal > 0 && double.IsFinite(1 / box.Diagonal) ? box.Diagonal : 1;
+        Scale = DiagonalOf(box);
+    }
+
+    private static double DiagonalOf(BoundingBox box)
+    {
+        if (box.Diagonal is > 1e-150 and < 1e150)
+            return box.Diagonal;
+        // Squares of the sides do not fit into a number, or vanish.
+        double longest = Math.Max(box.Size.X, Math.Max(box.Size.Y, box.Size.Z));
+        double diagonal = longest * (box.Size / longest).Length;
+        return diagonal > 0 && double.IsFinite(diagonal) && double.IsFinite(1 / diagonal) ? diagonal : 1;
     }
 
     /// <summary>Model units per unit.</summary>

@@ -203,6 +203,7 @@ internal sealed class CollapseLoop<TCost>
         if (pendingEdge != edge)
             pendingCost = cost.Evaluate(edge, out pendingPosition, out pendingWeight);
         pendingEdge = -1;
+        TakeEndIfThere(h);
         // Out of the queue: from here on the cost itself is of interest.
         mesh.Keys[edge] = pendingCost;
         pendingMeanSquare = cost.MeanSquare(edge, pendingPosition, pendingWeight);
@@ -211,6 +212,17 @@ internal sealed class CollapseLoop<TCost>
         if (!settings.AllowFlips && !(mesh.KeepsOrientation(h, pendingPosition) && mesh.KeepsOrientation(h ^ 1, pendingPosition)))
             return EdgeState.RefusedByFlip;
         return EdgeState.Clean;
+    }
+
+    /// <summary>An optimum that is an end but for rounding is that end: corners of the input stay to the bit.</summary>
+    private void TakeEndIfThere(int h)
+    {
+        const double SamePlace = 1e-20;
+        Vector3D source = mesh.Positions[mesh.Rows[h ^ 1].Target], target = mesh.Positions[mesh.Rows[h].Target];
+        if (Vector3D.DistanceSquared(pendingPosition, target) < SamePlace)
+            pendingPosition = target;
+        else if (Vector3D.DistanceSquared(pendingPosition, source) < SamePlace)
+            pendingPosition = source;
     }
 
     private void Contract(int edge)

@@ -222,6 +222,16 @@ public class FiveSixSevenTests
     }
 
     [Fact]
+    public void ToFiveSixSeven_AllOnOneLine_Ends()
+    {
+        // No area: even triangles of any length would be endlessly many.
+        Mesh mesh = PathologicalMeshes.Wrecked(Models.Torus(16, 10), 2);
+        foreach (Vertex v in mesh.Vertices)
+            v.Position = new(v.Position.X, 0, 0);
+        CheckTopology(mesh, mesh.ToFiveSixSeven());
+    }
+
+    [Fact]
     public void ToFiveSixSeven_AskedForACount_ReachesIt()
     {
         Mesh mesh = Models.Sphere(20, 24);
@@ -241,7 +251,9 @@ public class FiveSixSevenTests
     [Fact]
     public void ToFiveSixSeven_BadArguments_Throw()
     {
-        Assert.Throws<ArgumentException>(() => Models.Create("cube-quads").ToFiveSixSeven());
+        Assert.Contains("f0", Assert.Throws<ArgumentException>("mesh", () => Models.Create("cube-quads").ToFiveSixSeven()).Message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>("options", () => Models.Create("cube").ToFiveSixSeven(new() { TargetFaces = 1001, FaceBudget = 1000 }));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new FiveSixSevenOptions { FaceBudget = 0 });
         Assert.Throws<ArgumentOutOfRangeException>(() => new FiveSixSevenOptions { TargetFaces = 0 });
         Assert.Throws<ArgumentOutOfRangeException>(() => new FiveSixSevenOptions { FeatureAngle = 4 });
         Assert.Throws<ArgumentOutOfRangeException>(() => new FiveSixSevenOptions { NoiseEdges = -1 });

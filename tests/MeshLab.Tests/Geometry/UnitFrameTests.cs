@@ -43,6 +43,16 @@ public class UnitFrameTests
         Assert.Equal(UnitFrame.Of(mesh).ToUnit(mesh).Positions.ToArray(), UnitFrame.Of(other).ToUnit(other).Positions.ToArray());
     }
 
+    [Theory]
+    [InlineData(1e200)]
+    [InlineData(1e-200)]
+    [InlineData(1e-290)]
+    public void ToUnit_SquaresBeyondNumbers_HasTheUnitDiagonal(double scale)
+    {
+        Mesh mesh = Models.Moved(Models.Sphere(8, 10), scale, default);
+        Assert.Equal(1, UnitFrame.Of(mesh).ToUnit(mesh).BoundingBox.Diagonal, 10);
+    }
+
     [Fact]
     public void Of_NothingOrOnePoint_HasTheScaleOne()
     {

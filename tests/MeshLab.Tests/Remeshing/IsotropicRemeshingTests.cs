@@ -70,7 +70,7 @@ public class IsotropicRemeshingTests
         foreach (Vector3D corner in new Vector3D[] { new(0, 0, 0), new(12, 0, 0), new(0, 12, 0), new(12, 12, 0) })
             Assert.Contains(mesh.Vertices, v => v.Position == corner);
         Assert.Equal(48, mesh.Edges.Where(e => e.IsBoundary).Sum(e => (e.Vertex0.Position - e.Vertex1.Position).Length), 1e-9);
-        Assert.Equal(144, mesh.Faces.Sum(f => SignedArea(f)), 1e-9);
+        Assert.Equal(144, mesh.Faces.Sum(f => SignedArea(f)), 1e-8);
         Assert.All(mesh.Faces, f => Assert.True(SignedArea(f) > 0));
     }
 
@@ -81,8 +81,8 @@ public class IsotropicRemeshingTests
         Mesh mesh = result.Mesh;
         Assert.Empty(mesh.Validate());
         Assert.Equal((12, 8), (result.FeatureEdges, result.Corners));
-        BoundingBox box = mesh.BoundingBox;
-        Assert.Equal(box.Size.X * box.Size.Y * box.Size.Z, mesh.Faces.Sum(f => Volume(f)), 1e-12);
+        BoundingBox box = Models.Create("cube").BoundingBox;
+        Assert.Equal(box.Size.X * box.Size.Y * box.Size.Z, mesh.Faces.Sum(f => Volume(f)), 1e-10);
         for (int i = 0; i < 8; i++)
             Assert.Contains(mesh.Vertices, v => v.Position == box.Corner(i));
         Assert.InRange(RemeshingQuality.Of(mesh).MeanSmallestAngle * 180 / Math.PI, 47, 60);
@@ -99,8 +99,8 @@ public class IsotropicRemeshingTests
         Assert.Empty(result.Mesh.Validate());
         Assert.Equal(0, result.Corners);
         SegmentTree rim = SegmentTree.Build(input.Positions, [.. input.Edges.Where(e => e.IsBoundary).SelectMany(e => new[] { e.Vertex0.Index, e.Vertex1.Index })]);
-        Assert.All(result.Mesh.Vertices.Where(v => v.IsBoundary), v => Assert.True(rim.IsWithin(v.Position, 1e-14), $"{v}"));
-        Assert.InRange(result.Mesh.Faces.Sum(SignedArea) / input.Faces.Sum(SignedArea), 1 - 1e-3, 1 + 1e-12);
+        Assert.All(result.Mesh.Vertices.Where(v => v.IsBoundary), v => Assert.True(rim.IsWithin(v.Position, 1e-10), $"{v}"));
+        Assert.InRange(result.Mesh.Faces.Sum(SignedArea) / input.Faces.Sum(SignedArea), 1 - 1e-3, 1 + 1e-10);
         // And they do slide: edges along the rim are even.
         double[] lengths = [.. result.Mesh.Edges.Where(e => e.IsBoundary).Select(e => (e.Vertex0.Position - e.Vertex1.Position).Length)];
         Assert.InRange(lengths.Max() / lengths.Min(), 1, 2.1);
@@ -192,7 +192,8 @@ public class IsotropicRemeshingTests
     {
         Mesh input = Sphere(16);
         Mesh with = input.RemeshIsotropically(new() { Passes = 10 }).Mesh, without = input.RemeshIsotropically(new() { Passes = 10, Projection = false }).Mesh;
-        Assert.InRange(with.VertexDistancesTo(input).Max(), 0, 1e-12);
+        // Places are rounded to 2⁻³⁶ of the diagonal.
+        Assert.InRange(with.VertexDistancesTo(input).Max(), 0, 1e-10);
         Assert.InRange(without.VertexDistancesTo(input).Max(), 1e-3, 1);
     }
 

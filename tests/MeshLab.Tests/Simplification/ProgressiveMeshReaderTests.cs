@@ -1,3 +1,4 @@
+using System.IO.Compression;
 using MeshLab.IO;
 using MeshLab.Numerics;
 using MeshLab.Simplification;
@@ -12,8 +13,21 @@ public class ProgressiveMeshReaderTests
 {
     private const string Misfit = "a record that fits the mesh";
 
-    /// <summary>An octahedron in two splits, or a sheet of two by two squares in six, along its border first.</summary>
-    private static PmFields FieldsOf(string name) => new(ProgressiveMesh.Create(name == "octahedron" ? Models.Create(name) : Shapes.Sheet(2), new() { TargetFaces = 1 }));
+    /// <summary>A file of an octahedron in two splits, deflated.</summary>
+    private const string Octahedron =
+        "8/UJ8GVk4+FgYWNhYmBgkPgPBvftv50WLHroFmYD4zMJMIDBg/1Q2r7e0knvzokUG2Yxrq55PpaVq/ZAZD5AVTAwsHIwYAVAFQJMrGwMTMx8rEziDBzsjExMIqxsHGLMrPxMbFyCzGzsrBzcQP2iz"
+        + "ByMfCxirILs4iwsDMLijIyMvLyCzAIM7OIi4oIsYjiMt0elEYCLkYmTn5GZl4WbkVWEgYWfi4eJjYM9RsRYbdlEG+yaPuyHyC+0gQkBAA==";
+
+    /// <summary>A file of a sheet of two by two squares in six splits, along its border first, deflated.</summary>
+    private const string Sheet =
+        "jVBbDoIwEJzttqWlNSIGFOThTbyAJB7Rg3gYjuARbEyU8DA4X/ucndnueuvIJoaZNECMN+4PTMDpOH9ePpHx40r/7dCOEZNUiZGCEE5IZ8BxqYw7IUrrFLIh+GaJdfna0D9qbgsyTVvAVoQz/16aYhCYR7o"
+        + "9kC7yPJNlICnnQ2uKAC+U24Dd1iWCg53qfzuDEi25LiDYMkQMle1NY87joX7VTvi4JSJWpFV4bOyxijnpCw==";
+
+    private static PmFields FieldsOf(string name)
+    {
+        using var inflated = new DeflateStream(new MemoryStream(Convert.FromBase64String(name == "octahedron" ? Octahedron : Sheet)), CompressionMode.Decompress);
+        return new(ProgressiveMeshFile.Load(inflated, name));
+    }
 
     private static MeshFormatException LoadDamaged(PmFields fields) =>
         Assert.Throws<MeshFormatException>(() => ProgressiveMeshFile.Load(new MemoryStream(fields.Bytes()), "levels.pm"));
