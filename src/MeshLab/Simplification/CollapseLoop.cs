@@ -9,8 +9,8 @@ internal interface IEdgeCost
     /// <summary>The cost of contracting an edge, where its vertex goes, and the weight of the planes that the cost is a sum over.</summary>
     double Evaluate(int edge, out Vector3D position, out double weight);
 
-    /// <summary>The mean squared distance of a position to the original planes that the edge stands for, in working units.</summary>
-    double MeanSquare(int edge, Vector3D position, double weight);
+    /// <summary>The mean squared distance of a position to the original planes that the edge stands for, in working units; the value is the edge's cost there.</summary>
+    double MeanSquare(int edge, Vector3D position, double value, double weight);
 
     /// <summary>Whether the edge's key is only a lower bound of its cost.</summary>
     bool IsStale(int edge);
@@ -204,9 +204,7 @@ internal sealed class CollapseLoop<TCost>
             pendingCost = cost.Evaluate(edge, out pendingPosition, out pendingWeight);
         pendingEdge = -1;
         TakeEndIfThere(h);
-        // Out of the queue: from here on the cost itself is of interest.
-        mesh.Keys[edge] = pendingCost;
-        pendingMeanSquare = cost.MeanSquare(edge, pendingPosition, pendingWeight);
+        pendingMeanSquare = cost.MeanSquare(edge, pendingPosition, pendingCost, pendingWeight);
         if (pendingMeanSquare > settings.MaxMeanSquare)
             return EdgeState.RefusedByError;
         if (!settings.AllowFlips && !(mesh.KeepsOrientation(h, pendingPosition) && mesh.KeepsOrientation(h ^ 1, pendingPosition)))
@@ -236,6 +234,8 @@ internal sealed class CollapseLoop<TCost>
         MaxMeanSquare = Math.Max(MaxMeanSquare, pendingMeanSquare);
 
         Merges merges = mesh.ChooseMerges(h);
+        // The edge goes for good, and the log is told the cost itself.
+        mesh.Keys[edge] = pendingCost;
         settings.Log?.BeforeCollapse(mesh, h, pendingPosition, merges);
         int start = mesh.Collapse(h, pendingPosition, merges);
         mesh.Constraints?.VertexMerged(v, u);

@@ -53,7 +53,7 @@ internal readonly struct MemorylessQuadrics : IEdgeCost
         return placement.Choose(in sum, edge, u, v, out position);
     }
 
-    public double MeanSquare(int edge, Vector3D position, double weight)
+    public double MeanSquare(int edge, Vector3D position, double value, double weight)
     {
         Quadric sum = history[rows[2 * edge].Target];
         sum.Add(in history[rows[2 * edge + 1].Target]);

@@ -20,7 +20,7 @@ internal readonly struct SummedQuadrics(WorkingMesh mesh, UncheckedArray<Quadric
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public double MeanSquare(int edge, Vector3D position, double weight) => weight > 0 ? mesh.Keys[edge] / weight : 0;
+    public double MeanSquare(int edge, Vector3D position, double value, double weight) => weight > 0 ? value / weight : 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsStale(int edge) => states[edge] == EdgeState.Stale;

@@ -84,7 +84,7 @@ public class QuadricPartsTests
         Assert.True(Vector3D.Distance(best, position) < 1e-9);
         // The error is that of the original's planes alone: 3 z² + 5 y² over 8.
         var at = new Vector3D(9, 2, 3);
-        Assert.Equal((3 * 9 + 5 * 4) / 8.0, costs.MeanSquare(edge.Index, at, weight), 1e-12);
+        Assert.Equal((3 * 9 + 5 * 4) / 8.0, costs.MeanSquare(edge.Index, at, 0, weight), 1e-12);
     }
 
     private static (WorkingMesh Mesh, int Edge, int U, int V) OneEdge()
