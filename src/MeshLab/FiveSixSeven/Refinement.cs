@@ -1,5 +1,3 @@
-using MeshLab.Numerics;
-
 namespace MeshLab.FiveSixSeven;
 
 /// <summary>Where four times as many faces are asked for, every face is cut into four: old vertices keep their valences, new ones have 6 (4 on the boundary), so Φ stays.</summary>
@@ -37,7 +35,7 @@ internal static class Refinement
             if (!isHalf[e - edges] && (a < vertices) != (b < vertices))
                 mesh.Flip(2 * e);
         }
-        // What the old faces were off by, the new ones are.
+        // Vertices stand for the planes of the finer faces from here on.
         mesh.GatherQuadrics();
     }
 }
